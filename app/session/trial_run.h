@@ -1,0 +1,65 @@
+// One trial from the first step to the verdict: world, monitor and recording together. Knows no
+// clock, no socket and no database; live trials, simulated operators and replays all drive it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session/exercise_monitor.h"
+#include "app/session/scene.h"
+#include "assessment/metrics.h"
+#include "assessment/rule.h"
+#include "assessment/trial.h"
+#include "curricula/curriculum.h"
+#include "sim/dynamics/world.h"
+
+namespace app {
+
+// The recording of one simulated second (the last one may be shorter).
+struct RecordedSecond {
+  int seq = 0;
+  std::vector<std::byte> inputs;     // codec "inputs/1"
+  std::vector<std::byte> observed;   // codec "observed/1"
+  std::vector<std::byte> hashes;     // codec "hashes/1"
+  std::vector<assessment::Event> events;
+};
+
+class TrialRun {
+ public:
+  TrialRun(std::shared_ptr<const Scene> scene, const curricula::Exercise& exercise);
+  ~TrialRun();
+
+  // One step of the world, the monitor and the recording. No-op once ended.
+  void step(const sim::HandleInput& input);
+  bool ended() const;
+  void abort();                       // the person gave up, or the connection was lost for good
+  void note_event(const char* code);  // paused, resumed: stamped with the simulated time
+
+  const sim::World& world() const;
+  const ExerciseMonitor& monitor() const;
+
+  // Seconds recorded since the last call; the unfinished one only once the trial has ended.
+  std::vector<RecordedSecond> take_recorded();
+
+  // After the end.
+  assessment::RecordedTrial recorded_trial() const;
+  std::string state_hash() const;     // BLAKE2b-256 over the final state, hex
+  std::string input_sha256() const;   // over all inputs, hex
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// What the verdict is made of.
+struct Judgement {
+  std::vector<assessment::MetricValue> metrics;
+  std::vector<assessment::StepTime> step_times;
+  assessment::Verdict verdict;
+};
+Judgement judge(const curricula::Exercise& exercise, const assessment::RecordedTrial& trial);
+
+}  // namespace app

@@ -1,0 +1,75 @@
+// People, how they sign in, what they may do, and how experienced they said they were, and when.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/store.h"
+
+namespace database {
+
+enum class Role { trainee, instructor, administrator, researcher };
+enum class Level { novice, intermediate, expert };
+const char* word(Role role);
+const char* word(Level level);
+bool parse(const std::string& text, Role& role);
+bool parse(const std::string& text, Level& level);
+
+// Where a person came from. Only `live` people sign in.
+enum class PersonKind { live, simulated, published };
+const char* word(PersonKind kind);
+
+struct Person {
+  std::string id;
+  std::string name;            // unique, what one signs in with
+  std::string display_name;
+  Role role = Role::trainee;
+  PersonKind kind = PersonKind::live;
+  bool disabled = false;
+  std::string password_phc;    // Argon2id; empty: cannot sign in
+  std::optional<Level> level;  // the latest declared
+  std::vector<std::string> groups;
+  std::string created_utc;
+};
+
+struct NewPerson {
+  std::string name, display_name;
+  Role role = Role::trainee;
+  PersonKind kind = PersonKind::live;
+  std::string password_phc;
+  std::optional<Level> level;
+  std::vector<std::string> groups;  // created when absent
+};
+
+// `actor` is the person's id who does it, or "system" / "shell"; it goes into the audit.
+base::Result<Person> add_person(Store& store, const NewPerson& person, const std::string& actor);
+base::Result<Person> person_by_id(Store& store, const std::string& id);      // not_found
+base::Result<Person> person_by_name(Store& store, const std::string& name);  // not_found
+base::Result<std::vector<Person>> people(Store& store);                      // all, by name
+base::Status set_disabled(Store& store, const std::string& person_id, bool disabled,
+                          const std::string& actor);
+base::Status set_password(Store& store, const std::string& person_id, const std::string& phc,
+                          const std::string& actor);
+base::Status declare_experience(Store& store, const std::string& person_id, Level level, int cases,
+                                const std::string& actor);
+// The people an instructor may see: those who share a group with them.
+base::Result<std::vector<Person>> people_of_instructor(Store& store, const std::string& instructor_id);
+
+// One-time links (set-up of the first administrator). Only a hash of the token is stored.
+base::Status add_setup_token(Store& store, const std::string& token_hash,
+                             const std::string& expires_utc);
+// True once for a known, unexpired, unused token; marks it used.
+base::Result<bool> use_setup_token(Store& store, const std::string& token_hash);
+
+// Server-side sessions. The cookie's value is never stored, only its hash.
+struct WebSession {
+  std::string person_id, csrf_token, created_utc, last_seen_utc;
+};
+base::Status add_web_session(Store& store, const std::string& token_hash, const WebSession& session);
+base::Result<WebSession> web_session(Store& store, const std::string& token_hash);  // not_found
+base::Status touch_web_session(Store& store, const std::string& token_hash);        // last_seen = now
+base::Status end_web_session(Store& store, const std::string& token_hash);
+base::Status end_web_sessions_of(Store& store, const std::string& person_id);
+
+}  // namespace database

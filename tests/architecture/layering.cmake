@@ -1,0 +1,36 @@
+# Usage: cmake -DROOT=<repo> -P layering.cmake
+#
+# Reads every #include "..." in the C++ sources and checks it against the arrows below.
+# A module may always include itself and sim/base. app and tests may include anything.
+set(may_include_sim        "")
+set(may_include_assessment "")
+set(may_include_curricula  "assessment")
+set(may_include_database   "assessment")
+set(may_include_reports    "assessment|curricula")
+
+set(failed FALSE)
+foreach(module sim assessment curricula database reports)
+  set(allowed "${module}|sim/base")
+  if(may_include_${module})
+    string(APPEND allowed "|${may_include_${module}}")
+  endif()
+  file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${module}/*.h ${ROOT}/${module}/*.cpp)
+  foreach(source IN LISTS sources)
+    # sim/base is the floor: it may include nothing but itself.
+    set(rule "${allowed}")
+    if(source MATCHES "^sim/base/")
+      set(rule "sim/base")
+    endif()
+    file(STRINGS ${ROOT}/${source} includes REGEX "^#include \"")
+    foreach(line IN LISTS includes)
+      string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" header "${line}")
+      if(NOT header MATCHES "^(${rule})/")
+        message(SEND_ERROR "${source} may not include \"${header}\"")
+        set(failed TRUE)
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+if(failed)
+  message(FATAL_ERROR "See the dependency arrows in docs/architecture.md")
+endif()
