@@ -24,7 +24,9 @@ struct Sample {
   double handle_force = 0.0;          // N
   double handle_torque = 0.0;         // N mm
   double contact_force = 0.0;         // N, largest |sum of wall reactions| over any 6 mm
+  double contact_force_peak = 0.0;    // N, its maximum over the steps since the sample before
   double contact_load = 0.0;          // N, sum of normal loads
+  double handle_force_peak = 0.0;     // N, largest |handle_force| since the sample before
   std::int32_t contact_count = 0;
 };
 
