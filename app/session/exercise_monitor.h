@@ -18,7 +18,11 @@ struct LimitState {
   double bound = 0.0;
   curricula::Consequence on_breach = curricula::Consequence::mark;
   bool breached = false;
+  assessment::Comparison comparison = assessment::Comparison::less_equal;
 };
+
+// In a hold step, so much turning counts like one millimetre of feeding.
+inline constexpr double kHoldTurnPerMm = 0.0174532925199433;  // rad, one degree
 
 // The task as the console shows it.
 struct TaskState {
@@ -39,6 +43,7 @@ class ExerciseMonitor {
   // After each step of the world. Events that happened are appended to events().
   void observe(const sim::Observation& observation, const sim::HandleInput& input);
   void end(assessment::EndReason reason, double time);  // aborted from outside, diverged
+  void note(double time, const char* code);             // an event from outside: paused, resumed
 
   const TaskState& task() const { return task_; }
   const std::vector<assessment::TrialStep>& steps() const { return steps_; }
@@ -47,23 +52,33 @@ class ExerciseMonitor {
   const std::vector<assessment::Event>& events() const { return events_; }
 
  private:
-  void begin_step(double time, double value);
+  void begin_step(double time, const sim::Observation& observation);
+  void advance_step(const sim::Observation& observation, double time);
   void finish_step(double time, double residual);
   void check_limits(const sim::Observation& observation, double time);
   double value_of(const curricula::Step& step, const sim::Observation& observation) const;
+  double watched_value(const std::string& metric) const;
   void add_event(double time, const char* code, assessment::Severity severity, std::string detail,
                  double value);
 
   double time_limit_;
-  bool timeout_fails_;
-  std::vector<curricula::Step> descriptions_;   // unrolled
+  std::vector<curricula::Step> descriptions_;  // unrolled
   std::vector<assessment::TrialStep> steps_;
   std::vector<LimitState> limits_;
   std::vector<assessment::Event> events_;
   TaskState task_;
-  double within_since_ = -1.0;   // time the handle came within the tolerance, or negative
-  double hold_origin_axial_ = 0.0, hold_origin_rotation_ = 0.0;
-  double first_motion_ = -1.0;
+  bool first_step_begun_ = false;
+  double first_motion_ = 0.0;
+  double within_since_ = -1.0;  // time the handle came within the tolerance, or negative
+  double hold_origin_axial_ = 0.0;
+  double hold_origin_rotation_ = 0.0;
+
+  // what the limits watch, so far
+  double force_max_ = 0.0;
+  double handle_force_max_ = 0.0;
+  double torque_max_ = 0.0;
+  double impulse_ = 0.0;
+  int hits_ = 0;
   bool in_hit_ = false;
   double last_hit_ = -1.0;
 };

@@ -1,0 +1,185 @@
+#include "app/session/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "app/devices/recorded_operator.h"
+#include "app/session/build_info.h"
+#include "app/session/recording.h"
+#include "app/session/trial_file.h"
+#include "app/session/trial_run.h"
+#include "database/trials.h"
+
+namespace app {
+namespace {
+
+// What the database holds of one trial's trace, chunk by chunk.
+struct StoredTrace {
+  std::vector<database::Chunk> inputs, observed, hashes;
+  std::vector<SecondHashes> seconds;  // decoded hashes
+};
+
+base::Result<StoredTrace> load_trace(database::Store& store, const std::string& trial_id) {
+  StoredTrace trace;
+  const std::pair<const char*, std::vector<database::Chunk>*> parts[] = {
+      {"inputs", &trace.inputs}, {"observed", &trace.observed}, {"hashes", &trace.hashes}};
+  for (const auto& [kind, chunks] : parts) {
+    auto loaded = database::trial_chunks(store, trial_id, kind);
+    if (!loaded) return loaded.error();
+    *chunks = *std::move(loaded);
+  }
+  if (trace.hashes.empty()) {
+    return base::Error{base::ErrorCode::not_enough_data,
+                       "this trial has no trace to replay: it is known by its results only"};
+  }
+  return trace;
+}
+
+// The first chunk whose bytes are not the ones that were hashed when it was written.
+void find_changed_chunk(StoredTrace& trace, Verification& result) {
+  const std::size_t count = trace.hashes.size();
+  if (trace.inputs.size() != count || trace.observed.size() != count) {
+    result.chunk = "a missing chunk";
+    result.first_second = static_cast<int>(std::min(trace.inputs.size(), trace.observed.size()));
+    return;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto decoded = read_hashes(trace.hashes[k].bytes);
+    const char* changed = nullptr;
+    if (!decoded || decoded->size() != 1) {
+      changed = "hashes";
+    } else if (decoded->front().inputs != hash_of(trace.inputs[k].bytes)) {
+      changed = "inputs";
+    } else if (decoded->front().observed != hash_of(trace.observed[k].bytes)) {
+      changed = "observed";
+    } else {
+      trace.seconds.push_back(decoded->front());
+    }
+    if (changed) {
+      result.chunk = std::string(changed) + " " + std::to_string(trace.hashes[k].seq);
+      result.first_second = trace.hashes[k].seq;
+      return;
+    }
+  }
+}
+
+// The inputs of the chunks before the first that cannot be read.
+std::vector<InputChange> readable_inputs(const StoredTrace& trace) {
+  std::vector<InputChange> changes;
+  for (const database::Chunk& chunk : trace.inputs) {
+    const auto read = read_inputs(chunk.bytes);
+    if (!read) break;
+    changes.insert(changes.end(), read->begin(), read->end());
+  }
+  return changes;
+}
+
+double deviation(const assessment::Sample& a, const assessment::Sample& b) {
+  return std::hypot(a.tip[0] - b.tip[0], a.tip[1] - b.tip[1], a.tip[2] - b.tip[2]);
+}
+
+std::string verdict_sentence(const Verification& result, const std::string& build) {
+  if (result.confirmed) {
+    return "Confirmed: the replay gave the same state in each of the " +
+           std::to_string(result.seconds) + " recorded seconds, and the same metrics.";
+  }
+  if (result.chunk.empty() && !result.same_build) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "Not compared bit for bit: recorded by build %s, this is %s. The largest "
+                  "deviation of the tip is %.6f mm.",
+                  build.c_str(), build_id().c_str(), result.largest_deviation_mm);
+    return text;
+  }
+  std::string text = "Not confirmed: ";
+  if (!result.chunk.empty()) text += "the stored chunk \"" + result.chunk + "\" was changed; ";
+  if (result.first_second) {
+    text += "the first second that differs is " + std::to_string(*result.first_second) + " (" +
+            std::to_string(*result.first_second) + " to " +
+            std::to_string(*result.first_second + 1) + " s).";
+  } else {
+    text += "the metrics or the end of the trial are not those of the record.";
+  }
+  return text;
+}
+
+}  // namespace
+
+base::Result<Verification> verify_trial(database::Store& store, const std::string& trial_id,
+                                        SceneStore& scenes,
+                                        const std::function<void(double)>& progress) {
+  const auto stored = database::trial(store, trial_id);
+  if (!stored) return stored.error();
+  auto trace = load_trace(store, trial_id);
+  if (!trace) return trace.error();
+  const auto exercise = exercise_of(store, *stored, scenes.library().catalogue());
+  if (!exercise) return exercise.error();
+  const auto scene = scenes.scene(exercise->scene);
+  if (!scene) return scene.error();
+  if ((*scene)->anatomy_sha256 != stored->head.anatomy_sha256 ||
+      (*scene)->instruments_sha256 != stored->head.instruments_sha256) {
+    return base::Error{base::ErrorCode::conflict,
+                       "the anatomy or instrument file was changed since this trial was recorded; "
+                       "restore the file of that time to verify it"};
+  }
+
+  Verification result;
+  result.same_build = stored->head.build == build_id();
+  StoredTrace stored_trace = *std::move(trace);
+  find_changed_chunk(stored_trace, result);
+
+  const std::uint32_t last_step = stored_trace.seconds.empty() ? 0 : stored_trace.seconds.back().step;
+  RecordedOperator hand(readable_inputs(stored_trace));
+  TrialRun run(*scene, *exercise);
+  std::size_t compared = 0;
+  while (!run.ended() && run.world().observation().step < last_step) {
+    run.step(hand.next(run.world().observation(), run.monitor()));
+    const std::int64_t step = run.world().observation().step;
+    if (step % kStepsPerSecond == 0 && progress) {
+      progress(static_cast<double>(step) / static_cast<double>(last_step));
+    }
+  }
+  if (!run.ended()) run.abort();
+
+  // second by second: the state, and how far the tip was from the record
+  for (const RecordedSecond& second : run.take_recorded()) {
+    if (compared >= stored_trace.seconds.size()) break;
+    const auto replayed = read_hashes(second.hashes);
+    const SecondHashes& recorded = stored_trace.seconds[compared];
+    const auto there = read_samples(stored_trace.observed[compared].bytes);
+    const auto here = read_samples(second.observed);
+    for (std::size_t i = 0; there && here && i < std::min(there->size(), here->size()); ++i) {
+      result.largest_deviation_mm =
+          std::max(result.largest_deviation_mm, deviation((*there)[i], (*here)[i]));
+    }
+    const bool same = replayed && replayed->front().step == recorded.step &&
+                      replayed->front().state == recorded.state;
+    if (!same && (!result.first_second || second.seq < *result.first_second)) {
+      result.first_second = second.seq;
+    }
+    ++compared;
+  }
+  result.seconds = static_cast<int>(compared);
+
+  // the judgement must come out again too, from the replayed trial; a trial that a crash cut off
+  // has none
+  bool same_metrics = true;
+  if (!stored->state_hash.empty()) {
+    const Judgement judgement = judge(*exercise, run.recorded_trial());
+    same_metrics = run.state_hash() == stored->state_hash &&
+                   run.input_sha256() == stored->input_sha256 &&
+                   judgement.metrics.size() == stored->metrics.size();
+    for (std::size_t i = 0; same_metrics && i < judgement.metrics.size(); ++i) {
+      same_metrics = judgement.metrics[i].id == stored->metrics[i].id &&
+                     judgement.metrics[i].value == stored->metrics[i].value;
+    }
+  }
+  result.confirmed = result.chunk.empty() && !result.first_second && same_metrics;
+  result.sentence = verdict_sentence(result, stored->head.build);
+  return result;
+}
+
+}  // namespace app
