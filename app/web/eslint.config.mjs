@@ -1,0 +1,25 @@
+import reactHooks from 'eslint-plugin-react-hooks';
+import tseslint from 'typescript-eslint';
+
+// Imports only go downwards: wire is the floor, then parts, then pages and console, then app.
+const layer = (folder, above) => ({
+  files: [`src/${folder}/**/*.{ts,tsx}`],
+  rules: {
+    'no-restricted-imports': ['error', {
+      patterns: above.map((name) => ({
+        regex: `(^|/)\\.\\./(.*/)?${name}(/|$)`,
+        message: `${folder} lies below ${name}: imports only go downwards.`,
+      })),
+    }],
+  },
+});
+
+export default tseslint.config(
+  {ignores: ['dist', 'node_modules']},
+  tseslint.configs.strict,
+  reactHooks.configs.flat['recommended-latest'],
+  layer('wire', ['parts', 'pages', 'console', 'app']),
+  layer('parts', ['pages', 'console', 'app']),
+  layer('pages', ['console', 'app']),
+  layer('console', ['pages', 'app']),
+);

@@ -1,0 +1,60 @@
+import {Button} from '@mantine/core';
+import type {ReactNode} from 'react';
+import {Link, useLocation} from 'wouter';
+import {useSignedIn} from '../parts/api';
+import {initialsOf} from '../parts/format';
+import {navigationOf} from '../parts/paths';
+import {DemoBanner} from './DemoBanner';
+import styles from './shell.module.css';
+
+interface Props {
+  demo: boolean;
+  onSignedOut: () => void;
+  children: ReactNode;
+}
+
+/** Bar, demo banner and page of every desk view. */
+export function Shell({demo, onSignedOut, children}: Props) {
+  const {api, session} = useSignedIn();
+  const [location] = useLocation();
+  const entries = navigationOf(session.role);
+  // a lost session is as good as a closed one
+  const signOut = () => { api.signOut().then(onSignedOut, onSignedOut); };
+  const sectionOf = (path: string) => location === path || location.startsWith(`${path}/`);
+  const inTraining = location.startsWith('/exercises/') || location.startsWith('/trials/');
+  return (
+    <>
+      <a className={styles.skip} href="#content">Skip to content</a>
+      {demo && <DemoBanner />}
+      <header className={styles.bar}>
+        <Link className={styles.brand} href="/"><Mark />Cathedra</Link>
+        <nav className={styles.nav} aria-label="Main">
+          <ul>
+            {entries.map((entry, index) => (
+              <li key={entry.path}>
+                <Link href={entry.path} aria-current={sectionOf(entry.path) || (index === 0 && inTraining) ? 'page' : undefined}>
+                  {entry.label}
+                </Link>
+              </li>
+            ))}
+          </ul>
+        </nav>
+        <div className={styles.who}>
+          <span>{session.display_name}</span>
+          <span className={styles.avatar} aria-hidden="true">{initialsOf(session.display_name)}</span>
+          <Button variant="subtle" color="gray" size="compact-sm" onClick={signOut}>Sign out</Button>
+        </div>
+      </header>
+      <main id="content" className="page" tabIndex={-1}>{children}</main>
+    </>
+  );
+}
+
+export function Mark() {
+  return (
+    <svg width="20" height="20" viewBox="0 0 20 20" fill="none" stroke="var(--accent)" strokeWidth="2" strokeLinecap="round" aria-hidden="true">
+      <path d="M3 17C3 9 8 11 10 7s4-5 7-4" />
+      <circle cx="17" cy="3" r="1.2" fill="var(--accent)" />
+    </svg>
+  );
+}

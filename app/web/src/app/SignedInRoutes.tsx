@@ -1,0 +1,52 @@
+import {lazy, Suspense, type ReactNode} from 'react';
+import {Redirect, Route, Switch} from 'wouter';
+import {EmptyState} from '../parts/EmptyState';
+import {Loading} from '../parts/Loading';
+import {useSignedIn} from '../parts/api';
+import {navigationOf} from '../parts/paths';
+import {Briefing} from '../pages/Briefing';
+import {Compare} from '../pages/Compare';
+import {Controls} from '../pages/Controls';
+import {Debrief} from '../pages/Debrief';
+import {Help} from '../pages/Help';
+import {People} from '../pages/People';
+import {Person} from '../pages/Person';
+import {Progress} from '../pages/Progress';
+import {Training} from '../pages/Training';
+import {Shell} from './Shell';
+
+// three.js comes with the console only
+const ConsolePage = lazy(() => import('../console/ConsolePage'));
+
+interface Props {
+  demo: boolean;
+  version: string;
+  onSignedOut: () => void;
+}
+
+export function SignedInRoutes({demo, version, onSignedOut}: Props) {
+  const {session} = useSignedIn();
+  const home = navigationOf(session.role)[0]?.path ?? '/help';
+  const desk = (page: ReactNode) => <Shell demo={demo} onSignedOut={onSignedOut}>{page}</Shell>;
+  return (
+    <Switch>
+      <Route path="/console/:id">
+        {({id}) => <Suspense fallback={<Loading what="the console" />}><ConsolePage trialId={decodeURIComponent(id)} /></Suspense>}
+      </Route>
+      <Route path="/training">{desk(<Training />)}</Route>
+      <Route path="/exercises/:id">{({id}) => desk(<Briefing exerciseId={decodeURIComponent(id)} />)}</Route>
+      <Route path="/trials/:id">{({id}) => desk(<Debrief trialId={decodeURIComponent(id)} />)}</Route>
+      <Route path="/progress">{desk(<Progress />)}</Route>
+      <Route path="/people">{desk(<People />)}</Route>
+      <Route path="/people/:id">{({id}) => desk(<Person personId={decodeURIComponent(id)} />)}</Route>
+      <Route path="/compare">{desk(<Compare />)}</Route>
+      <Route path="/controls">{desk(<Controls />)}</Route>
+      <Route path="/help">{desk(<Help version={version} />)}</Route>
+      <Route path="/"><Redirect to={home} replace /></Route>
+      <Route path="/setup"><Redirect to={home} replace /></Route>
+      <Route>
+        {desk(<EmptyState title="No such page">The address leads nowhere. Use the bar above.</EmptyState>)}
+      </Route>
+    </Switch>
+  );
+}

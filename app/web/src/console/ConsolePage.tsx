@@ -1,0 +1,3 @@
+export default function ConsolePage({trialId}: {trialId: string}) {
+  return <main className="page"><h1>Trial {trialId}</h1></main>;
+}

@@ -1,0 +1,1 @@
+export function Briefing({exerciseId}: {exerciseId: string}) { return <h1>{exerciseId}</h1>; }

@@ -1,0 +1,1 @@
+export function Controls() { return <h1>Controls</h1>; }

@@ -1,0 +1,1 @@
+export function Debrief({trialId}: {trialId: string}) { return <h1>{trialId}</h1>; }

@@ -1,0 +1,1 @@
+export function Help({version}: {version: string}) { return <h1>{version}</h1>; }

@@ -1,0 +1,1 @@
+export function Progress() { return <h1>Progress</h1>; }

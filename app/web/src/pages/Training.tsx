@@ -1,0 +1,1 @@
+export function Training() { return <h1>Training</h1>; }

@@ -1,0 +1,82 @@
+// Values as words: every number with its unit, every time in the local time of the reader.
+
+const minus = '\u2212';
+const thin = '\u00a0'; // a unit never stands alone on the next line
+
+/** 237.33 -> "237.33"; at most `digits` decimals, with a true minus sign. */
+export function formatNumber(value: number, digits = 2): string {
+  if (!Number.isFinite(value)) return 'not a number';
+  const text = Number(value.toFixed(digits)).toString();
+  const [whole = '0', fraction] = text.replace('-', '').split('.');
+  const sign = text.startsWith('-') ? minus : '';
+  return sign + whole + (fraction === undefined ? '' : `.${fraction}`);
+}
+
+/** Decimals that still change a verdict at this size: 379 s, 41.2 s, 1.62 N, 0.043 N. */
+export function digitsFor(value: number): number {
+  const size = Math.abs(value);
+  if (size >= 100) return 1;
+  if (size >= 1) return 2;
+  return 3;
+}
+
+const unitWords: Readonly<Record<string, string>> = {
+  n: 'N', n_s: 'N s', n_mm: 'N mm', mm: 'mm', deg: '°', s: 's', count: '', '1': '', ratio: '', mm_s: 'mm/s', deg_s: '°/s',
+};
+
+export function unitWord(unit: string): string {
+  return unitWords[unit.toLowerCase()] ?? unit;
+}
+
+/** 1.62, "N" -> "1.62 N". */
+export function formatValue(value: number | null, unit: string): string {
+  if (value === null) return 'not measured';
+  const word = unitWord(unit);
+  const text = formatNumber(value, digitsFor(value));
+  if (word === '') return text;
+  return word === '°' ? `${text}°` : `${text}${thin}${word}`;
+}
+
+/** How far above (+) or below a bound: "+91 s". */
+export function formatDifference(value: number, unit: string): string {
+  return value > 0 ? `+${formatValue(value, unit)}` : formatValue(value, unit);
+}
+
+const signs: Readonly<Record<string, string>> = {'<=': '≤', '>=': '≥', '==': '=', '!=': '≠', le: '≤', ge: '≥', lt: '<', gt: '>', eq: '='};
+
+/** "<=", 288.24, "s" -> "≤ 288.2 s". */
+export function formatBound(op: string, value: number, unit: string): string {
+  return `${signs[op] ?? op}${thin}${formatValue(value, unit)}`;
+}
+
+/** 140.4 -> "2:20": a position on a time axis. */
+export function formatClock(seconds: number): string {
+  const whole = Math.floor(Math.max(0, seconds));
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
+}
+
+const sameDay = (a: Date, b: Date) =>
+  a.getFullYear() === b.getFullYear() && a.getMonth() === b.getMonth() && a.getDate() === b.getDate();
+
+/** "Today, 09:42", "20 Nov, 16:05", with the year when it is another one. */
+export function formatWhen(utc: string | null, now: Date = new Date()): string {
+  if (utc === null || utc === '') return 'never';
+  const when = new Date(utc);
+  if (Number.isNaN(when.getTime())) return utc;
+  const time = when.toLocaleTimeString('en-GB', {hour: '2-digit', minute: '2-digit'});
+  if (sameDay(when, now)) return `Today, ${time}`;
+  const year = when.getFullYear() === now.getFullYear() ? {} : {year: 'numeric' as const};
+  return `${when.toLocaleDateString('en-GB', {day: 'numeric', month: 'short', ...year})}, ${time}`;
+}
+
+/** 1, "trial" -> "1 trial"; 2 -> "2 trials". */
+export function formatCount(count: number, word: string, plural = `${word}s`): string {
+  return `${count}${thin}${count === 1 ? word : plural}`;
+}
+
+/** "Trainee 14" -> "T14", "Ada Lovelace" -> "AL". */
+export function initialsOf(name: string): string {
+  const words = name.split(/\s+/).filter((word) => word !== '');
+  const letters = words.slice(0, 2).map((word) => (/^\d+$/.test(word) ? word : word[0] ?? ''));
+  return letters.join('').slice(0, 3).toUpperCase();
+}
