@@ -15,9 +15,9 @@ namespace assessment {
 enum class Direction { lower_is_better, higher_is_better };
 
 struct MetricDefinition {
-  std::string_view id;          // time_s
-  int version = 1;              // rises when the formula or a threshold changes
-  std::string_view unit;        // "s", "mm", "" for a ratio
+  std::string_view id;    // time_s
+  int version = 1;        // rises when the formula or a threshold changes
+  std::string_view unit;  // "s", "mm", "" for a ratio
   Direction direction = Direction::lower_is_better;
   std::string_view title;       // Completion time
   std::string_view definition;  // one or two plain sentences for the person measured

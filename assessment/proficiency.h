@@ -9,14 +9,21 @@
 namespace assessment {
 
 struct ProficiencyRule {
-  int consecutive = 2;   // passes in a row
-  int additional = 0;    // further passes after that, anywhere
+  int consecutive = 2;  // passes in a row
+  int additional = 0;   // further passes after that, anywhere
   int min_trials = 0;
-  int max_trials = 0;    // 0: no limit
+  int max_trials = 0;  // 0: no limit
 };
 
 enum class ExerciseStatus {
-  locked, available, in_progress, practised, proficient, lapsed, waived, exhausted
+  locked,
+  available,
+  in_progress,
+  practised,
+  proficient,
+  lapsed,
+  waived,
+  exhausted
 };
 const char* word(ExerciseStatus status);
 
@@ -30,11 +37,11 @@ struct TrialOutcome {
 
 struct Progress {
   ExerciseStatus status = ExerciseStatus::available;
-  int started = 0;           // all trials
-  int counted = 0;           // those that count
+  int started = 0;  // all trials
+  int counted = 0;  // those that count
   int passes = 0;
-  int in_a_row = 0;          // current run of passes
-  std::string sentence;      // "1 of 2 passes in a row"
+  int in_a_row = 0;      // current run of passes
+  std::string sentence;  // "1 of 2 passes in a row"
 };
 
 // The one function that decides what is shown and what the server enforces.

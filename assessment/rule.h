@@ -23,20 +23,20 @@ bool holds(double value, Comparison comparison, double bound);
 struct Rule {
   enum class Kind { metric, errors, goal, all, any, negate };
   Kind kind = Kind::all;
-  std::string subject;        // metric id; severity of the errors counted; goal ("reached")
+  std::string subject;  // metric id; severity of the errors counted; goal ("reached")
   Comparison comparison = Comparison::less_equal;
-  double bound = 0.0;         // in the metric's unit, or a count
-  std::string benchmark;      // id of the benchmark the bound came from, or empty
-  bool provisional = false;   // the benchmark is provisional
-  std::vector<Rule> children; // all, any, negate
+  double bound = 0.0;          // in the metric's unit, or a count
+  std::string benchmark;       // id of the benchmark the bound came from, or empty
+  bool provisional = false;    // the benchmark is provisional
+  std::vector<Rule> children;  // all, any, negate
 };
 
 // One leaf, judged.
 struct Criterion {
-  std::string subject;            // metric id, "errors.critical", "goal.reached"
+  std::string subject;  // metric id, "errors.critical", "goal.reached"
   Comparison comparison = Comparison::less_equal;
   double bound = 0.0;
-  std::optional<double> value;    // absent: the trial has no such value, so it is not met
+  std::optional<double> value;  // absent: the trial has no such value, so it is not met
   bool met = false;
   std::string benchmark;
   bool provisional = false;

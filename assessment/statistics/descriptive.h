@@ -23,9 +23,13 @@ struct Summary {
 // Fails with not_enough_data for no value, invalid_input for one that is not finite.
 base::Result<Summary> summarise(std::span<const double> values);
 
-// The least that can be computed alone. Values must not be empty.
+// The pieces alone. The mean and the median need at least one value.
 double mean_of(std::span<const double> values);
 double median_of(std::span<const double> values);
+double sum_of_squares_about(double centre, std::span<const double> values);
+
+// Finite, and below 1e150 in size so that squares fit. Every statistic refuses other values.
+bool all_usable(std::span<const double> values);
 
 // Quantile for a probability in [0, 1] by linear interpolation of the order statistics at
 // 1 + (n - 1) p: type 7 of Hyndman and Fan, The American Statistician 50 (1996) 361, the default

@@ -29,9 +29,9 @@ struct HedgesG {
   std::optional<Interval> interval;  // absent where non-central t cannot be evaluated (|t| > 1000)
 };
 
-// Fails with not_enough_data unless both groups have a value and one has two, and three values in
-// all; invalid_input for a value that is not finite; not_enough_data when no value differs from its
-// group's mean, because g then has no denominator.
+// Fails with not_enough_data when a group is empty, for fewer than four values in all (with df = 1
+// the correction J is zero) and when nobody differs within the groups, because g then has no
+// denominator; invalid_input for a value that is not finite.
 base::Result<HedgesG> hedges_g(std::span<const double> first, std::span<const double> second,
                                double confidence = 0.95);
 

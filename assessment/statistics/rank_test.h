@@ -29,6 +29,9 @@ struct RankTest {
 // Fails with not_enough_data when a group is empty, invalid_input for a value that is not finite.
 base::Result<RankTest> rank_test(std::span<const double> first, std::span<const double> second);
 
+// U of the first group alone: in how many pairs its value is the larger, ties half. In n log n.
+double pairs_won(std::span<const double> first, std::span<const double> second);
+
 // 2 / C(n1 + n2, n1), at most 1: the two most extreme deals of the ranks.
 double smallest_rank_p(int first_count, int second_count);
 
