@@ -81,6 +81,89 @@ double deviation(const assessment::Sample& a, const assessment::Sample& b) {
   return std::hypot(a.tip[0] - b.tip[0], a.tip[1] - b.tip[1], a.tip[2] - b.tip[2]);
 }
 
+// What a replay stands on: the exercise and scene of the time, checked to be the same files.
+struct Setting {
+  database::StoredTrial trial;
+  curricula::Exercise exercise;
+  // shared: with other trials in the same vessel
+  std::shared_ptr<const Scene> scene;
+};
+
+base::Result<Setting> setting_of(database::Store& store, const std::string& trial_id,
+                                 SceneStore& scenes) {
+  const auto stored = database::trial(store, trial_id);
+  if (!stored) return stored.error();
+  const auto exercise = exercise_of(store, *stored, scenes.library().catalogue());
+  if (!exercise) return exercise.error();
+  const auto scene = scenes.scene(exercise->scene);
+  if (!scene) return scene.error();
+  if ((*scene)->anatomy_sha256 != stored->head.anatomy_sha256 ||
+      (*scene)->instruments_sha256 != stored->head.instruments_sha256) {
+    return base::Error{base::ErrorCode::conflict,
+                       "the anatomy or instrument file was changed since this trial was recorded; "
+                       "restore the file of that time to replay it"};
+  }
+  return Setting{*stored, *exercise, *scene};
+}
+
+// Steps the run with the recorded hand up to the recorded end.
+void play(TrialRun& run, RecordedOperator hand, std::uint32_t last_step,
+          const std::function<void(double)>& progress) {
+  while (!run.ended() && run.world().observation().step < last_step) {
+    run.step(hand.next(run.world().observation(), run.monitor()));
+    const std::int64_t step = run.world().observation().step;
+    if (step % kStepsPerSecond == 0 && progress) {
+      progress(static_cast<double>(step) / static_cast<double>(last_step));
+    }
+  }
+  if (!run.ended()) run.abort();
+}
+
+std::uint32_t last_step_of(const StoredTrace& trace) {
+  return trace.seconds.empty() ? 0 : trace.seconds.back().step;
+}
+
+// Second by second: the state, and how far the tip was from the record.
+void compare_seconds(const StoredTrace& trace, const std::vector<RecordedSecond>& replayed,
+                     Verification& result) {
+  const std::size_t count = std::min(trace.seconds.size(), replayed.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto there = read_samples(trace.observed[k].bytes);
+    const auto here = read_samples(replayed[k].observed);
+    for (std::size_t i = 0; there && here && i < std::min(there->size(), here->size()); ++i) {
+      result.largest_deviation_mm =
+          std::max(result.largest_deviation_mm, deviation((*there)[i], (*here)[i]));
+    }
+    const auto hashes = read_hashes(replayed[k].hashes);
+    const bool same = hashes && hashes->front().step == trace.seconds[k].step &&
+                      hashes->front().state == trace.seconds[k].state;
+    if (!same && (!result.first_second || replayed[k].seq < *result.first_second)) {
+      result.first_second = replayed[k].seq;
+    }
+  }
+  if (count < trace.seconds.size() && !result.first_second) {
+    result.first_second = static_cast<int>(count);  // the replay ended before the record did
+  }
+  result.seconds = static_cast<int>(count);
+}
+
+// The judgement must come out again too. A trial that a crash cut off has none.
+bool same_judgement(const Setting& setting, const TrialRun& run) {
+  if (setting.trial.state_hash.empty()) return true;
+  const Judgement judgement = judge(setting.exercise, run.recorded_trial());
+  if (run.state_hash() != setting.trial.state_hash ||
+      run.input_sha256() != setting.trial.input_sha256 ||
+      judgement.metrics.size() != setting.trial.metrics.size()) {
+    return false;
+  }
+  return std::all_of(judgement.metrics.begin(), judgement.metrics.end(), [&](const auto& metric) {
+    return std::any_of(setting.trial.metrics.begin(), setting.trial.metrics.end(),
+                       [&](const auto& stored) {
+                         return stored.id == metric.id && stored.value == metric.value;
+                       });
+  });
+}
+
 std::string verdict_sentence(const Verification& result, const std::string& build) {
   if (result.confirmed) {
     return "Confirmed: the replay gave the same state in each of the " +
@@ -111,75 +194,43 @@ std::string verdict_sentence(const Verification& result, const std::string& buil
 base::Result<Verification> verify_trial(database::Store& store, const std::string& trial_id,
                                         SceneStore& scenes,
                                         const std::function<void(double)>& progress) {
-  const auto stored = database::trial(store, trial_id);
-  if (!stored) return stored.error();
-  auto trace = load_trace(store, trial_id);
-  if (!trace) return trace.error();
-  const auto exercise = exercise_of(store, *stored, scenes.library().catalogue());
-  if (!exercise) return exercise.error();
-  const auto scene = scenes.scene(exercise->scene);
-  if (!scene) return scene.error();
-  if ((*scene)->anatomy_sha256 != stored->head.anatomy_sha256 ||
-      (*scene)->instruments_sha256 != stored->head.instruments_sha256) {
-    return base::Error{base::ErrorCode::conflict,
-                       "the anatomy or instrument file was changed since this trial was recorded; "
-                       "restore the file of that time to verify it"};
-  }
+  const auto setting = setting_of(store, trial_id, scenes);
+  if (!setting) return setting.error();
+  auto loaded = load_trace(store, trial_id);
+  if (!loaded) return loaded.error();
+  StoredTrace trace = *std::move(loaded);
 
   Verification result;
-  result.same_build = stored->head.build == build_id();
-  StoredTrace stored_trace = *std::move(trace);
-  find_changed_chunk(stored_trace, result);
+  result.same_build = setting->trial.head.build == build_id();
+  find_changed_chunk(trace, result);
 
-  const std::uint32_t last_step = stored_trace.seconds.empty() ? 0 : stored_trace.seconds.back().step;
-  RecordedOperator hand(readable_inputs(stored_trace));
-  TrialRun run(*scene, *exercise);
-  std::size_t compared = 0;
-  while (!run.ended() && run.world().observation().step < last_step) {
-    run.step(hand.next(run.world().observation(), run.monitor()));
-    const std::int64_t step = run.world().observation().step;
-    if (step % kStepsPerSecond == 0 && progress) {
-      progress(static_cast<double>(step) / static_cast<double>(last_step));
-    }
-  }
-  if (!run.ended()) run.abort();
+  TrialRun run(setting->scene, setting->exercise);
+  play(run, RecordedOperator(readable_inputs(trace)), last_step_of(trace), progress);
+  compare_seconds(trace, run.take_recorded(), result);
 
-  // second by second: the state, and how far the tip was from the record
-  for (const RecordedSecond& second : run.take_recorded()) {
-    if (compared >= stored_trace.seconds.size()) break;
-    const auto replayed = read_hashes(second.hashes);
-    const SecondHashes& recorded = stored_trace.seconds[compared];
-    const auto there = read_samples(stored_trace.observed[compared].bytes);
-    const auto here = read_samples(second.observed);
-    for (std::size_t i = 0; there && here && i < std::min(there->size(), here->size()); ++i) {
-      result.largest_deviation_mm =
-          std::max(result.largest_deviation_mm, deviation((*there)[i], (*here)[i]));
-    }
-    const bool same = replayed && replayed->front().step == recorded.step &&
-                      replayed->front().state == recorded.state;
-    if (!same && (!result.first_second || second.seq < *result.first_second)) {
-      result.first_second = second.seq;
-    }
-    ++compared;
-  }
-  result.seconds = static_cast<int>(compared);
-
-  // the judgement must come out again too, from the replayed trial; a trial that a crash cut off
-  // has none
-  bool same_metrics = true;
-  if (!stored->state_hash.empty()) {
-    const Judgement judgement = judge(*exercise, run.recorded_trial());
-    same_metrics = run.state_hash() == stored->state_hash &&
-                   run.input_sha256() == stored->input_sha256 &&
-                   judgement.metrics.size() == stored->metrics.size();
-    for (std::size_t i = 0; same_metrics && i < judgement.metrics.size(); ++i) {
-      same_metrics = judgement.metrics[i].id == stored->metrics[i].id &&
-                     judgement.metrics[i].value == stored->metrics[i].value;
-    }
-  }
-  result.confirmed = result.chunk.empty() && !result.first_second && same_metrics;
-  result.sentence = verdict_sentence(result, stored->head.build);
+  result.confirmed =
+      result.chunk.empty() && !result.first_second && same_judgement(*setting, run);
+  result.sentence = verdict_sentence(result, setting->trial.head.build);
   return result;
+}
+
+base::Result<assessment::RecordedTrial> replay_trial(database::Store& store,
+                                                     const std::string& trial_id,
+                                                     SceneStore& scenes,
+                                                     const std::function<void(double)>& progress) {
+  const auto setting = setting_of(store, trial_id, scenes);
+  if (!setting) return setting.error();
+  auto trace = load_trace(store, trial_id);
+  if (!trace) return trace.error();
+  std::uint32_t last_step = 0;
+  for (const database::Chunk& chunk : trace->hashes) {
+    const auto hashes = read_hashes(chunk.bytes);
+    if (!hashes) return hashes.error();
+    for (const SecondHashes& second : *hashes) last_step = std::max(last_step, second.step);
+  }
+  TrialRun run(setting->scene, setting->exercise);
+  play(run, RecordedOperator(readable_inputs(*trace)), last_step, progress);
+  return run.recorded_trial();
 }
 
 }  // namespace app

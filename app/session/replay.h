@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/session/scene.h"
+#include "assessment/trial.h"
 #include "database/store.h"
 
 namespace app {
@@ -25,5 +26,11 @@ struct Verification {
 base::Result<Verification> verify_trial(database::Store& store, const std::string& trial_id,
                                         SceneStore& scenes,
                                         const std::function<void(double)>& progress);
+
+// The trial as the replay of its recorded inputs gives it: metrics and traces can be taken from it.
+base::Result<assessment::RecordedTrial> replay_trial(database::Store& store,
+                                                     const std::string& trial_id,
+                                                     SceneStore& scenes,
+                                                     const std::function<void(double)>& progress);
 
 }  // namespace app
