@@ -1,1 +1,74 @@
-export function Controls() { return <h1>Controls</h1>; }
+import {Link} from 'wouter';
+import {keyboardSpeeds} from '../console/handle_keys';
+import {Panel} from '../parts/Panel';
+import {formatNumber} from '../parts/format';
+import {paths} from '../parts/paths';
+import {useTitle} from '../parts/use_title';
+import styles from './controls.module.css';
+
+interface KeyRow {
+  keys: string[];
+  action: string;
+  speed: 'feed_mm_s' | 'turn_deg_s';
+}
+
+const rows: KeyRow[] = [
+  {keys: ['↑'], action: 'Feed: push the wire in', speed: 'feed_mm_s'},
+  {keys: ['↓'], action: 'Retract: draw the wire back', speed: 'feed_mm_s'},
+  {keys: ['→'], action: 'Turn clockwise', speed: 'turn_deg_s'},
+  {keys: ['←'], action: 'Turn counter-clockwise', speed: 'turn_deg_s'},
+];
+
+const units = {feed_mm_s: 'mm/s', turn_deg_s: '°/s'} as const;
+
+/** Which hand does what? */
+export function Controls() {
+  useTitle('Controls');
+  return (
+    <>
+      <div className="page-head">
+        <h1>Controls</h1>
+        <span className="muted">The same keys in every exercise. Speeds are those of the handle.</span>
+      </div>
+      <div className={styles.columns}>
+        <Panel title="Keyboard">
+          <div className="table-scroll">
+            <table className="table">
+              <thead>
+                <tr>
+                  <th scope="col">Key</th><th scope="col">What the hand does</th>
+                  <th scope="col" className="r">Coarse</th><th scope="col" className="r">Fine, with Shift</th>
+                </tr>
+              </thead>
+              <tbody>
+                {rows.map((row) => (
+                  <tr key={row.action}>
+                    <td>{row.keys.map((key) => <kbd key={key} className={styles.key}>{key}</kbd>)}</td>
+                    <td>{row.action}</td>
+                    <td className="r">{formatNumber(keyboardSpeeds.normal[row.speed])} {units[row.speed]}</td>
+                    <td className="r">{formatNumber(keyboardSpeeds.fine[row.speed])} {units[row.speed]}</td>
+                  </tr>
+                ))}
+              </tbody>
+            </table>
+          </div>
+          <p className="small muted">Let go of every key and the hand stands still. Hold Shift for fine work near a target.</p>
+        </Panel>
+        <div className="stack">
+          <Panel title="Mouse">
+            <p className="muted">
+              Drag on the 3-D view: up and down feeds and retracts, left and right turns the handle. The legend at the foot of
+              the console repeats this.
+            </p>
+          </Panel>
+          <Panel title="When the hand is interrupted">
+            <p className="muted">
+              A lost connection or a hidden window stops the hand and pauses the trial; the clock notes it. Only one window at
+              a time can steer. <Link href={paths.help}>More in Help</Link>
+            </p>
+          </Panel>
+        </div>
+      </div>
+    </>
+  );
+}

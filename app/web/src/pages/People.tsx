@@ -1,1 +1,106 @@
-export function People() { return <h1>People</h1>; }
+import {SegmentedControl, TextInput} from '@mantine/core';
+import {useState} from 'react';
+import {Link} from 'wouter';
+import {EmptyState} from '../parts/EmptyState';
+import {Loaded} from '../parts/Loaded';
+import {KindTag, levelWord} from '../parts/PersonFacts';
+import {State} from '../parts/State';
+import {useResource} from '../parts/api';
+import {formatCount, formatWhen} from '../parts/format';
+import {needsHelp, orderPeople, peopleOfKind, peopleViews, type PeopleView} from '../parts/people_order';
+import {paths} from '../parts/paths';
+import {useTitle} from '../parts/use_title';
+import type {PersonRow} from '../wire/types';
+import styles from './people.module.css';
+
+/** Who needs help? */
+export function People() {
+  useTitle('People');
+  const resource = useResource('people', (api) => api.people());
+  return <Loaded resource={resource} what="the people">{({people}) => <List people={people} />}</Loaded>;
+}
+
+function List({people}: {people: PersonRow[]}) {
+  const [view, setView] = useState<PeopleView>('live');
+  const [search, setSearch] = useState('');
+  const wanted = search.trim().toLowerCase();
+  const matches = (person: PersonRow) =>
+    [person.display_name, person.name, ...person.groups].some((text) => text.toLowerCase().includes(wanted));
+  const shown = orderPeople(peopleOfKind(people, view).filter(matches));
+  const helpless = peopleOfKind(people, 'live').filter(needsHelp).length;
+  return (
+    <>
+      <div className="page-head">
+        <h1>People</h1>
+        <span className="muted num">
+          {helpless === 0 ? 'Nobody is stuck.' : `${formatCount(helpless, 'person needs', 'people need')} help; they come first.`}
+        </span>
+      </div>
+      <div className={styles.filters}>
+        <SegmentedControl aria-label="Which people" size="sm" value={view} onChange={(value) => setView(value as PeopleView)}
+          data={peopleViews.map(({id, label}) => ({value: id, label: `${label} ${peopleOfKind(people, id).length}`}))} />
+        <TextInput aria-label="Find by name or group" placeholder="Find by name or group" value={search}
+          onChange={(event) => setSearch(event.currentTarget.value)} />
+      </div>
+      <section className="panel" aria-label="List of people">
+        <div className="panel-body">
+          {shown.length === 0
+            ? <EmptyState title="Nobody here">{wanted === '' ? 'No one of this kind has been added yet.' : 'No name or group matches. Clear the search.'}</EmptyState>
+            : <PeopleTable people={shown} />}
+        </div>
+      </section>
+    </>
+  );
+}
+
+function PeopleTable({people}: {people: PersonRow[]}) {
+  return (
+    <div className="table-scroll">
+      <table className="table">
+        <thead>
+          <tr>
+            <th scope="col">Name</th>
+            <th scope="col">Level</th>
+            <th scope="col">Groups</th>
+            <th scope="col">Exercises</th>
+            <th scope="col" className="r">Trials</th>
+            <th scope="col">Last trial</th>
+          </tr>
+        </thead>
+        <tbody>
+          {people.map((person) => (
+            <tr key={person.person_id}>
+              <th scope="row">
+                <span className={styles.name}>
+                  <Link href={paths.person(person.person_id)}>{person.display_name}</Link>
+                  <KindTag kind={person.kind} />
+                  {person.kind === 'live' && person.role !== 'trainee' && <span className="tag">{person.role}</span>}
+                  {person.disabled && <span className="tag">Disabled</span>}
+                </span>
+              </th>
+              <td className="muted">{levelWord(person.level)}</td>
+              <td className="muted">{person.groups.length === 0 ? '–' : person.groups.join(', ')}</td>
+              <td>{person.statuses.length === 0 ? <span className="faint">–</span> : <Statuses person={person} />}</td>
+              <td className="r">{person.trials}</td>
+              <td className="muted">{formatWhen(person.last_trial_utc)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function Statuses({person}: {person: PersonRow}) {
+  return (
+    <ul className={styles.statuses}>
+      {person.statuses.map((card) => (
+        <li key={card.exercise_id}>
+          <span className="small">{card.title}</span>
+          <State state={card.status} />
+          <span className="xs faint">{card.sentence}</span>
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -80,3 +80,13 @@ export function initialsOf(name: string): string {
   const letters = words.slice(0, 2).map((word) => (/^\d+$/.test(word) ? word : word[0] ?? ''));
   return letters.join('').slice(0, 3).toUpperCase();
 }
+
+/** 600 -> "10 minutes", 90 -> "1 minute 30 s", 45 -> "45 s". */
+export function formatDuration(seconds: number): string {
+  const whole = Math.round(seconds);
+  const minutes = Math.floor(whole / 60);
+  const rest = whole % 60;
+  if (minutes === 0) return `${rest}${thin}s`;
+  const words = formatCount(minutes, 'minute');
+  return rest === 0 ? words : `${words} ${rest}${thin}s`;
+}

@@ -1,0 +1,14 @@
+import type {PersonRow} from '../wire/types';
+
+const kinds: Readonly<Record<PersonRow['kind'], string>> = {
+  live: '', simulated: 'Simulated operator', published: 'Published data',
+};
+
+/** The label that says a person is none: a simulated operator or a row of a paper. */
+export function KindTag({kind}: {kind: PersonRow['kind']}) {
+  return kind === 'live' ? null : <span className="tag">{kinds[kind]}</span>;
+}
+
+export function levelWord(level: PersonRow['level']): string {
+  return level === null ? 'not set' : level;
+}

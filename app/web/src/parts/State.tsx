@@ -1,0 +1,44 @@
+import type {Outcome, Status} from '../wire/types';
+import {Icon, type IconName} from './Icon';
+
+export type StateName = Status | Outcome | 'met' | 'not_met' | 'voided' | 'running' | 'critical' | 'fail' | 'mark' | 'info';
+export type Tone = 'ok' | 'warn' | 'bad' | 'idle' | 'now';
+
+interface Look {
+  icon: IconName;
+  word: string;
+  tone: Tone;
+}
+
+const looks: Readonly<Record<StateName, Look>> = {
+  proficient: {icon: 'ring_tick', word: 'Proficient', tone: 'ok'},
+  in_progress: {icon: 'half', word: 'In progress', tone: 'now'},
+  practised: {icon: 'half', word: 'Practised', tone: 'now'},
+  available: {icon: 'circle', word: 'Available', tone: 'idle'},
+  locked: {icon: 'padlock', word: 'Locked', tone: 'idle'},
+  lapsed: {icon: 'triangle', word: 'Lapsed, retention failed', tone: 'warn'},
+  exhausted: {icon: 'triangle', word: 'Exhausted, ask your instructor', tone: 'warn'},
+  waived: {icon: 'dash', word: 'Waived', tone: 'idle'},
+  passed: {icon: 'tick', word: 'Passed', tone: 'ok'},
+  not_passed: {icon: 'cross', word: 'Not passed', tone: 'bad'},
+  invalid: {icon: 'dash', word: 'Not counted', tone: 'idle'},
+  met: {icon: 'tick', word: 'Met', tone: 'ok'},
+  not_met: {icon: 'cross', word: 'Not met', tone: 'bad'},
+  voided: {icon: 'dash', word: 'Voided', tone: 'idle'},
+  running: {icon: 'half', word: 'Running', tone: 'now'},
+  critical: {icon: 'octagon', word: 'Critical error', tone: 'bad'},
+  fail: {icon: 'cross', word: 'Fails the trial', tone: 'bad'},
+  mark: {icon: 'triangle', word: 'Noted', tone: 'warn'},
+  info: {icon: 'info', word: 'Event', tone: 'idle'},
+};
+
+/** Sign, word, colour of a state, for the few places that lay them out apart. */
+export function lookOf(state: StateName): Look {
+  return looks[state];
+}
+
+/** The only place that colours a state: a sign and a word carry it, the colour repeats it. */
+export function State({state}: {state: StateName}) {
+  const look = looks[state];
+  return <span className={`state tone-${look.tone}`}><Icon name={look.icon} />{look.word}</span>;
+}
