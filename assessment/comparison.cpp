@@ -142,7 +142,7 @@ GroupResult describe_group(const std::string& name, std::span<const ParticipantR
   return group;
 }
 
-std::vector<double> means_of(const Comparison& comparison, const std::string& group) {
+std::vector<double> means_of(const GroupComparison& comparison, const std::string& group) {
   std::vector<double> means;
   for (const ParticipantResult& person : comparison.participants) {
     if (person.group == group) means.push_back(person.summary.mean);
@@ -151,7 +151,7 @@ std::vector<double> means_of(const Comparison& comparison, const std::string& gr
 }
 
 // Empty unless everyone of the group has an improvement.
-std::vector<double> improvements_of(const Comparison& comparison, const std::string& group) {
+std::vector<double> improvements_of(const GroupComparison& comparison, const std::string& group) {
   std::vector<double> improvements;
   for (const ParticipantResult& person : comparison.participants) {
     if (person.group != group) continue;
@@ -162,7 +162,7 @@ std::vector<double> improvements_of(const Comparison& comparison, const std::str
 }
 
 // The tests, on one value per person.
-void test_groups(Comparison& comparison) {
+void test_groups(GroupComparison& comparison) {
   const ComparisonQuestion& question = comparison.question;
   const std::vector<double> first = means_of(comparison, question.first_group);
   const std::vector<double> second = means_of(comparison, question.second_group);
@@ -191,8 +191,8 @@ void test_groups(Comparison& comparison) {
 
 }  // namespace
 
-base::Result<Comparison> compare_groups(std::span<const TrialValue> rows,
-                                        const ComparisonQuestion& question) {
+base::Result<GroupComparison> compare_groups(std::span<const TrialValue> rows,
+                                             const ComparisonQuestion& question) {
   if (question.first_group == question.second_group) {
     return Error{ErrorCode::invalid_input, "a group cannot be compared with itself"};
   }
@@ -203,7 +203,7 @@ base::Result<Comparison> compare_groups(std::span<const TrialValue> rows,
     people[row.participant].push_back(&row);
   }
 
-  Comparison comparison;
+  GroupComparison comparison;
   comparison.question = question;
   for (auto& [name, rows_of_person] : people) {
     auto person = describe_participant(std::move(rows_of_person), question);

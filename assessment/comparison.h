@@ -69,7 +69,7 @@ struct GroupResult {
   std::optional<PowerLaw> power_law;          // of the means in by_trial
 };
 
-struct Comparison {
+struct GroupComparison {
   ComparisonQuestion question;
   std::vector<ParticipantResult> participants;  // first group, then second, each by name
   GroupResult first;
@@ -92,7 +92,7 @@ struct Comparison {
 // Fails with not_enough_data when a group has nobody; invalid_input for a value that is not finite,
 // an ordinal below 1, a trial given twice or a participant in both groups. Rows of other groups
 // are ignored.
-base::Result<Comparison> compare_groups(std::span<const TrialValue> rows,
-                                        const ComparisonQuestion& question = {});
+base::Result<GroupComparison> compare_groups(std::span<const TrialValue> rows,
+                                             const ComparisonQuestion& question = {});
 
 }  // namespace assessment

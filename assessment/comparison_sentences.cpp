@@ -42,7 +42,7 @@ std::string plural(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-std::string nesting_sentence(const Comparison& comparison) {
+std::string nesting_sentence(const GroupComparison& comparison) {
   const int n1 = comparison.first.participants, n2 = comparison.second.participants;
   const int trials = comparison.first.trials + comparison.second.trials;
   return "Trials are nested in people, so the person is the unit: the " + plural(trials, "trial") +
@@ -52,7 +52,7 @@ std::string nesting_sentence(const Comparison& comparison) {
          ", however many trials each of them makes.";
 }
 
-std::string separation_sentence(const Comparison& comparison) {
+std::string separation_sentence(const GroupComparison& comparison) {
   if (!comparison.dominance.complete_separation) return {};
   const bool below = comparison.dominance.first_lower == 1.0;
   return "The groups are completely separated: the mean of every " +
@@ -70,7 +70,7 @@ int trials_that_meet(const ParticipantResult& person, double mark, Direction dir
 }
 
 // A pass mark that a recorded expert never meets is a mark to think about again.
-void warn_about_mark(Comparison& comparison, double mark, const std::string& name) {
+void warn_about_mark(GroupComparison& comparison, double mark, const std::string& name) {
   for (const ParticipantResult& person : comparison.participants) {
     if (person.group != comparison.question.first_group) continue;
     if (trials_that_meet(person, mark, comparison.question.direction) > 0) continue;
@@ -85,7 +85,7 @@ void warn_about_mark(Comparison& comparison, double mark, const std::string& nam
 // 10 leaves the worse model "essentially no support" (Burnham and Anderson 2002, section 2.6).
 constexpr double kClearlyBetter = 10.0;
 
-void warn_about_steps(Comparison& comparison) {
+void warn_about_steps(GroupComparison& comparison) {
   for (const ParticipantResult& person : comparison.participants) {
     const auto count = static_cast<int>(person.values.size());
     if (count < 6 || !person.power_law) continue;
@@ -108,7 +108,7 @@ void warn_about_steps(Comparison& comparison) {
   }
 }
 
-void warn_about_counts(Comparison& comparison) {
+void warn_about_counts(GroupComparison& comparison) {
   const auto [fewest, most] =
       std::minmax_element(comparison.participants.begin(), comparison.participants.end(),
                           [](const ParticipantResult& x, const ParticipantResult& y) {
@@ -126,7 +126,7 @@ void warn_about_counts(Comparison& comparison) {
   }
 }
 
-void warn_about_fits(Comparison& comparison) {
+void warn_about_fits(GroupComparison& comparison) {
   for (const ParticipantResult& person : comparison.participants) {
     if (!person.power_law) {
       comparison.warnings.push_back(person.participant + " has too few trials for a power law.");
@@ -140,7 +140,7 @@ void warn_about_fits(Comparison& comparison) {
 
 }  // namespace
 
-void add_sentences(Comparison& comparison) {
+void add_sentences(GroupComparison& comparison) {
   comparison.nesting = nesting_sentence(comparison);
   comparison.separation = separation_sentence(comparison);
   if (comparison.question.pass_mark) {

@@ -6,6 +6,6 @@
 namespace assessment {
 
 // Fills in `nesting` and `separation` and appends to `warnings`, from the numbers computed so far.
-void add_sentences(Comparison& comparison);
+void add_sentences(GroupComparison& comparison);
 
 }  // namespace assessment

@@ -17,11 +17,11 @@ struct Table {
 };
 
 struct Chart {
-  std::string id;       // unique on its page
+  std::string id;  // unique on its page
   std::string title;
   std::string summary;  // what it shows, in a sentence
   std::string svg;
-  Table table;          // the numbers behind it
+  Table table;  // the numbers behind it
 };
 
 }  // namespace reports

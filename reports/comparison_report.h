@@ -22,23 +22,23 @@ struct ComparisonSubject {
 };
 
 // One sentence that answers the question first.
-std::string comparison_headline(const assessment::Comparison& comparison);
+std::string comparison_headline(const assessment::GroupComparison& comparison);
 
 // In order: experts, novices (one curve per participant over trials), participant-means, effect,
 // p-floor. Ids exactly these.
-std::vector<Chart> comparison_charts(const assessment::Comparison& comparison,
+std::vector<Chart> comparison_charts(const assessment::GroupComparison& comparison,
                                      const ComparisonSubject& subject);
 
 // Per person and group: mean, SD, first, last, improvement, power law T = a n^-b, learning rate.
-Table learning_table(const assessment::Comparison& comparison);
+Table learning_table(const assessment::GroupComparison& comparison);
 // The trials as the paper's Tables VI and VII print them: a row per trial, a column per person.
-Table trials_table(const assessment::Comparison& comparison);
+Table trials_table(const assessment::GroupComparison& comparison);
 
 // A complete page that prints well (A4 and Letter) and opens without a network.
-std::string comparison_html(const assessment::Comparison& comparison,
+std::string comparison_html(const assessment::GroupComparison& comparison,
                             const ComparisonSubject& subject);
 // The same numbers as CSV: UTF-8, dot decimals, guarded against formula injection.
-std::string comparison_csv(const assessment::Comparison& comparison,
+std::string comparison_csv(const assessment::GroupComparison& comparison,
                            const ComparisonSubject& subject);
 
 }  // namespace reports

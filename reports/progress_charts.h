@@ -13,16 +13,16 @@ struct TrialPoint {
   int ordinal = 0;
   double value = 0.0;
   bool passed = false;
-  bool counted = true;   // voided and interrupted trials are drawn hollow
+  bool counted = true;  // voided and interrupted trials are drawn hollow
 };
 
 struct ProgressChart {
-  std::string id;        // "linear-time"
-  std::string title;     // "Time per trial"
-  std::string unit;      // "s"
-  std::string who;       // "You", or a name
+  std::string id;     // "linear-time"
+  std::string title;  // "Time per trial"
+  std::string unit;   // "s"
+  std::string who;    // "You", or a name
   std::vector<TrialPoint> points;
-  std::optional<double> target;      // a dashed line with its word
+  std::optional<double> target;  // a dashed line with its word
   bool target_provisional = false;
   std::optional<double> expert_low, expert_median, expert_high;  // band: the experts' middle half
 };

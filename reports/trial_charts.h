@@ -12,7 +12,7 @@ namespace reports {
 
 // How long one step took: a bar per step; of a repeat, one bar per round.
 struct StepDuration {
-  std::string title;    // "Feed to 350 mm"
+  std::string title;  // "Feed to 350 mm"
   double seconds = 0.0;
 };
 Chart step_time_chart(const std::vector<StepDuration>& steps);
