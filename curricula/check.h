@@ -13,15 +13,21 @@ namespace curricula {
 struct Problem {
   enum class Severity { error, warning };
   Severity severity = Severity::error;
-  int line = 0;          // 1-based
-  int column = 0;        // 1-based
-  std::string message;   // what is wrong and what to do, one sentence
+  int line = 0;         // 1-based
+  int column = 0;       // 1-based
+  std::string message;  // what is wrong and what to do, one sentence
 };
 
 // What the checker knows of the world outside the file: the catalogue.
 struct Catalogue {
-  struct Anatomy { std::string id; double length = 0.0; };      // mm from the access
-  struct InstrumentEntry { std::string id; double length = 0.0; };  // mm
+  struct Anatomy {
+    std::string id;
+    double length = 0.0;
+  };  // mm from the access
+  struct InstrumentEntry {
+    std::string id;
+    double length = 0.0;
+  };  // mm
   std::vector<Anatomy> anatomies;
   std::vector<InstrumentEntry> instruments;
 };
