@@ -16,16 +16,19 @@ namespace database {
 
 class Store {
  public:
-  // Opens and migrates. Fails with invalid_input (URL), unavailable (disk, permissions, locked)
-  // or corrupt_data (not a Cathedra database, or written by a newer program).
+  // Opens and migrates. Fails with invalid_input (URL; postgresql: is not supported yet),
+  // unavailable (disk, permissions, locked) or corrupt_data (not a Cathedra database, or written
+  // by a newer program).
   static base::Result<std::unique_ptr<Store>> open(const std::string& url);
   ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
 
   int schema_version() const;
   // PRAGMA integrity_check and foreign_key_check; a sentence when something is wrong.
   base::Status check_integrity();
 
-  struct Connection;                  // SOCI session, known to database/*.cpp only
+  struct Connection;  // SOCI session, known to database/*.cpp only
   Connection& connection() { return *connection_; }
 
  private:
@@ -33,8 +36,9 @@ class Store {
   std::unique_ptr<Connection> connection_;
 };
 
-// Now, UTC, ISO 8601 with milliseconds and Z; and a new UUIDv7.
+// Now, UTC, ISO 8601 with milliseconds and Z: sorting such texts sorts by time.
 std::string utc_now();
+// A new UUIDv7; ids made in a later millisecond sort later.
 std::string new_id();
 
 }  // namespace database
