@@ -52,7 +52,18 @@ struct Verdict {
   std::string sentence;             // one plain sentence: passed, or why not
 };
 
-// Judges a trial. A trial that did not complete never passes: the sentence names the reason.
-Verdict judge(const Rule& rule, const RecordedTrial& trial, std::span<const MetricValue> values);
+// A limit of the exercise, for the sentence: the recording notes that one was broken and the value,
+// not where it lay.
+struct LimitBound {
+  std::string metric;
+  Comparison comparison = Comparison::less_equal;
+  double bound = 0.0;  // in the metric's unit
+};
+
+// Judges a trial. A trial that did not complete never passes, and neither does one with a critical
+// error or a broken limit whose consequence is to fail, whatever the rule: the sentence names the
+// reason. A metric that the trial does not have is not met, and neither is its negation.
+Verdict judge(const Rule& rule, const RecordedTrial& trial, std::span<const MetricValue> values,
+              std::span<const LimitBound> limits = {});
 
 }  // namespace assessment
