@@ -43,14 +43,14 @@ class RodInstrument {
   // 0 <= inserted_length() <= instrument.length. After `diverged` it must not be stepped.
   RodStatus step(double handle_axial, double handle_rotation);
 
-  double inserted_length() const;   // mm of material beyond the access
-  double handle_force() const;      // N, positive: it resists being pushed in
-  double handle_torque() const;     // N mm, positive: it resists being turned clockwise
-  double contact_force() const;     // N, largest |sum of wall reactions| over any 6 mm
-  double contact_load() const;      // N, sum of the normal loads
-  int contact_count() const;        // nodes touching the wall
-  int iterations() const;           // of Newton's method in the last step
-  double residual() const;          // N, largest unbalanced force left by the last step
+  double inserted_length() const;     // mm of material beyond the access
+  double handle_force() const;        // N, positive: it resists being pushed in
+  double handle_torque() const;       // N mm, positive: it resists being turned clockwise
+  double contact_force() const;       // N, largest |sum of wall reactions| over any 6 mm
+  double contact_load() const;        // N, sum of the normal loads
+  int contact_count() const;          // nodes touching the wall
+  int iterations() const;             // of Newton's method in the last step
+  double residual() const;            // N, largest unbalanced force left by the last step
   double find_contacts_time() const;  // s, spent asking the wall during the last step
 
   Vec3 tip() const;            // mm

@@ -13,23 +13,23 @@ struct RodSettings {
   double sheath_length = 24.0;      // mm of straight guide before the access
 
   // material beyond what the instrument's description holds
-  double axial_stiffness = 1e4;   // EA, N
-  double line_density = 5e-9;     // t/mm
-  double drag = 1e-6;             // N s/mm per mm of length
-  double twist_drag = 1e-7;       // N mm s per mm of length
+  double axial_stiffness = 1e4;  // EA, N
+  double line_density = 5e-9;    // t/mm
+  double drag = 1e-6;            // N s/mm per mm of length
+  double twist_drag = 1e-7;      // N mm s per mm of length
 
   // contact, for a node that stands for 3 mm of length; scaled with the length it stands for
-  double contact_stiffness = 10.0;   // N/mm
-  double contact_onset = 0.1;        // mm, over which the stiffness builds up
-  double friction_stiffness = 5.0;   // N/mm, of the bristles
-  double wall_curvature = 1.0 / 3.0; // 1/mm, of the lumen across its axis; only for the tangent
+  double contact_stiffness = 10.0;    // N/mm
+  double contact_onset = 0.1;         // mm, over which the stiffness builds up
+  double friction_stiffness = 5.0;    // N/mm, of the bristles
+  double wall_curvature = 1.0 / 3.0;  // 1/mm, of the lumen across its axis; only for the tangent
 
   // solver
-  double time_step = 1e-3;       // s
-  double tolerance = 5e-4;       // N, largest unbalanced force (torques count 0.45 per mm)
+  double time_step = 1e-3;  // s
+  double tolerance = 5e-4;  // N, largest unbalanced force (torques count 0.45 per mm)
   int max_iterations = 8;
-  int restart_iteration = 3;     // here the prediction is dropped, once
-  double max_move = 2.0;         // mm, of any node in one iteration
+  int restart_iteration = 3;  // here the prediction is dropped, once
+  double max_move = 2.0;      // mm, of any node in one iteration
 };
 
 }  // namespace sim
