@@ -10,9 +10,9 @@
 namespace sim {
 
 struct TriangleMesh {
-  std::vector<Vec3> vertices;                         // mm
-  std::vector<Vec3> normals;                          // unit, outward, one per vertex
-  std::vector<std::array<std::int32_t, 3>> triangles; // indices into vertices
+  std::vector<Vec3> vertices;                          // mm
+  std::vector<Vec3> normals;                           // unit, outward, one per vertex
+  std::vector<std::array<std::int32_t, 3>> triangles;  // indices into vertices
 };
 
 }  // namespace sim

@@ -2,6 +2,7 @@
 // shared by all trials in it, never changed.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,10 +27,14 @@ struct Access {
   Vec3 up = Vec3::UnitX();         // unit, normal to direction: the zero of the handle's rotation
 };
 
+// What a browser draws comfortably 60 times a second.
+inline constexpr std::size_t kDisplayTriangles = 15000;
+
 struct Vessel {
   std::string id;
-  TriangleMesh surface;                      // closed, outward orientation
-  std::vector<CentrelinePoint> centreline;   // from the access to the far end
+  TriangleMesh surface;                     // closed, outward orientation: what the wall follows
+  TriangleMesh display_surface;             // the same shape in at most kDisplayTriangles
+  std::vector<CentrelinePoint> centreline;  // from the access to the far end
   Access access;
   std::unique_ptr<const Wall> wall;
 };

@@ -15,8 +15,8 @@
 namespace sim {
 
 struct WallSample {
-  double distance = 0.0;             // mm, signed: positive inside the lumen, negative beyond
-  Vec3 normal = Vec3::UnitX();       // unit, points into the lumen: the gradient of distance
+  double distance = 0.0;        // mm, signed: positive inside the lumen, negative beyond
+  Vec3 normal = Vec3::UnitX();  // unit, points into the lumen: the gradient of distance
 };
 
 class Wall {
