@@ -57,7 +57,7 @@ export class HandleSender {
     if (this.timer !== undefined || !this.isDue()) return;
     const wait_ms = this.lastSent_ms + sendInterval_ms - performance.now();
     if (wait_ms <= 0) this.flush();
-    else this.timer = setTimeout(() => this.flush(), wait_ms);
+    else this.timer = setTimeout(() => this.flush(), Math.ceil(wait_ms));
   }
 
   private flush(): void {
