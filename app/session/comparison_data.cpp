@@ -44,7 +44,8 @@ std::string hash_rows(const std::vector<assessment::TrialValue>& rows) {
   for (const assessment::TrialValue& row : rows) {
     char value[32];
     std::snprintf(value, sizeof value, "%.17g", row.value);
-    text += row.group + "," + row.participant + "," + std::to_string(row.trial) + "," + value + "\n";
+    text +=
+        row.group + "," + row.participant + "," + std::to_string(row.trial) + "," + value + "\n";
   }
   return sha256_hex(std::as_bytes(std::span(text)));
 }
@@ -55,7 +56,8 @@ bool is_dataset(const std::string& name) { return find_dataset(name) != nullptr;
 
 base::Result<ComparisonData> comparison_data(database::Store& store,
                                              const curricula::Exercise& exercise,
-                                             const std::string& dataset) {
+                                             const std::string& dataset,
+                                             const PersonFilter& may_count) {
   const Dataset* wanted = find_dataset(dataset);
   if (!wanted) {
     return base::Error{base::ErrorCode::invalid_input,
@@ -75,13 +77,14 @@ base::Result<ComparisonData> comparison_data(database::Store& store,
   for (const database::StoredTrial& trial : *trials) {
     if (!counts(trial) || !trial.level) continue;
     const std::string& person = trial.head.person_id;
+    if (may_count && !may_count(person)) continue;
     if (group_of.emplace(person, database::word(*trial.level)).second) {
       const int same = ++names[trial.person_name];
       name_of[person] =
           same == 1 ? trial.person_name : trial.person_name + " (" + std::to_string(same) + ")";
     }
-    data.rows.push_back({group_of[person], name_of[person], trial.ordinal,
-                         trial.metrics.front().value});
+    data.rows.push_back(
+        {group_of[person], name_of[person], trial.ordinal, trial.metrics.front().value});
   }
   data.subject.exercise_id = exercise.id;
   data.subject.exercise_title = exercise.title.at("en");

@@ -2,6 +2,7 @@
 // trials are never pooled: one call, one of them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,15 @@ struct ComparisonData {
   reports::ComparisonSubject subject;
 };
 
+// Whose trials may be counted, by the person's id.
+using PersonFilter = std::function<bool(const std::string& person_id)>;
+
 // Completed trials, without voided and interrupted ones. A person stays in the group of the level
-// that counted at the first of them. Fails with invalid_input for an unknown data set.
+// that counted at the first of them. Without a filter everybody is counted. Fails with
+// invalid_input for an unknown data set.
 base::Result<ComparisonData> comparison_data(database::Store& store,
                                              const curricula::Exercise& exercise,
-                                             const std::string& dataset);
+                                             const std::string& dataset,
+                                             const PersonFilter& may_count = {});
 
 }  // namespace app
