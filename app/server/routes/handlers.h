@@ -1,0 +1,33 @@
+// What answers each route; the table that says who may call them is routes/table.cpp. Each fails
+// with an error of the program, which the router turns into a Problem.
+#pragma once
+
+#include "app/server/router.h"
+
+namespace app {
+
+base::Result<Response> get_health(Call& call);
+base::Result<Response> get_site(Call& call);
+base::Result<Response> get_session(Call& call);
+base::Result<Response> post_session(Call& call);
+base::Result<Response> delete_session(Call& call);
+base::Result<Response> post_setup(Call& call);
+
+base::Result<Response> get_training(Call& call);
+base::Result<Response> get_exercise(Call& call);
+base::Result<Response> get_mesh(Call& call);
+base::Result<Response> get_metrics(Call& call);
+
+base::Result<Response> post_trial(Call& call);
+base::Result<Response> get_live_mine(Call& call);
+base::Result<Response> get_trial(Call& call);
+
+base::Result<Response> get_people(Call& call);
+base::Result<Response> get_progress(Call& call);
+
+base::Result<Response> get_compare_options(Call& call);
+base::Result<Response> get_comparison(Call& call);
+base::Result<Response> get_comparison_csv(Call& call);
+base::Result<Response> get_comparison_html(Call& call);
+
+}  // namespace app

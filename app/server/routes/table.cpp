@@ -1,0 +1,49 @@
+#include <array>
+
+#include "app/server/routes/handlers.h"
+
+namespace app {
+namespace {
+
+using database::Role;
+
+Who trains() { return Who::roles({Role::trainee, Role::instructor, Role::administrator}); }
+Who teaches() { return Who::roles({Role::instructor, Role::administrator}); }
+Who compares() { return Who::roles({Role::instructor, Role::administrator, Role::researcher}); }
+
+}  // namespace
+
+std::span<const Route> routes() {
+  using enum Method;
+  constexpr LaneKind kSlow = LaneKind::slow;
+  constexpr LaneKind kQuick = LaneKind::quick;
+  static const std::array kRoutes = std::to_array<Route>({
+      {get, "/api/health", Who::anyone(), get_health},
+      {get, "/api/site", Who::anyone(), get_site},
+      {post, "/api/session", Who::anyone(), post_session, kSlow},
+      {get, "/api/session", Who::signed_in(), get_session},
+      {remove, "/api/session", Who::signed_in(), delete_session},
+      {post, "/api/setup", Who::anyone(), post_setup, kSlow},
+
+      {get, "/api/training", trains(), get_training},
+      {get, "/api/exercises/{id}", trains(), get_exercise},
+      {get, "/api/anatomies/{id}/mesh.glb", Who::signed_in(), get_mesh, kSlow},
+      {get, "/api/metrics", Who::signed_in(), get_metrics},
+
+      {post, "/api/trials", trains(), post_trial, kSlow},
+      {get, "/api/live/mine", trains(), get_live_mine},
+      {get, "/api/live/{id}", trains().about(Subject::trial), nullptr, kQuick, true},
+      {get, "/api/trials/{id}", trains().about(Subject::trial), get_trial},
+
+      {get, "/api/people", teaches(), get_people},
+      {get, "/api/people/{id}/progress", trains().about(Subject::person), get_progress},
+
+      {get, "/api/compare", compares(), get_compare_options},
+      {get, "/api/compare/{id}.csv", compares(), get_comparison_csv, kSlow},
+      {get, "/api/compare/{id}.html", compares(), get_comparison_html, kSlow},
+      {get, "/api/compare/{id}", compares(), get_comparison},
+  });
+  return kRoutes;
+}
+
+}  // namespace app

@@ -1,0 +1,66 @@
+// What there is to train: the plan, an exercise's briefing, the vessel, the metrics.
+#include <nlohmann/json.hpp>
+
+#include "app/server/json_body.h"
+#include "app/server/routes/handlers.h"
+#include "app/server/site.h"
+#include "app/server/training_record.h"
+#include "app/server/views/briefing_view.h"
+#include "app/server/views/progress_view.h"
+#include "assessment/metrics.h"
+
+namespace app {
+
+using nlohmann::json;
+
+base::Result<Response> get_training(Call& call) {
+  const auto record = training_record(call.store, call.site, call.me().person.id);
+  if (!record) return record.error();
+  const auto training = training_json(call.store, *record, call.site.scenes.library());
+  if (!training) return training.error();
+  return json_response(*training);
+}
+
+base::Result<Response> get_exercise(Call& call) {
+  const auto record = training_record(call.store, call.site, call.me().person.id);
+  if (!record) return record.error();
+  const std::string& id = call.parameter("id");
+  const curricula::Exercise* exercise = record->curriculum->find(id);
+  const curricula::ExerciseState* state = record->progression.find(id);
+  if (exercise == nullptr || state == nullptr) {
+    return base::Error{base::ErrorCode::not_found, "This exercise is not in your curriculum."};
+  }
+  return json_response(
+      briefing_json(*record->curriculum, *exercise, *state, call.site.scenes.library()));
+}
+
+base::Result<Response> get_mesh(Call& call) {
+  const auto mesh = call.site.meshes.mesh(call.parameter("id"));
+  if (!mesh) return mesh.error();
+  Response response;
+  response.type = "model/gltf-binary";
+  response.headers.emplace_back("ETag", (*mesh)->tag);
+  response.headers.emplace_back("Cache-Control", "private, no-cache");
+  if (call.request.header("if-none-match") == (*mesh)->tag) {
+    response.status = 304;
+  } else {
+    response.body = (*mesh)->bytes;
+  }
+  return response;
+}
+
+base::Result<Response> get_metrics(Call&) {
+  json metrics = json::array();
+  for (const assessment::MetricDefinition& metric : assessment::metric_definitions()) {
+    const bool lower = metric.direction == assessment::Direction::lower_is_better;
+    metrics.push_back({{"id", metric.id},
+                       {"version", metric.version},
+                       {"title", metric.title},
+                       {"unit", metric.unit},
+                       {"direction", lower ? "lower" : "higher"},
+                       {"definition", metric.definition}});
+  }
+  return json_response({{"metrics", metrics}});
+}
+
+}  // namespace app

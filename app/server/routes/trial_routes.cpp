@@ -1,0 +1,144 @@
+// Beginning a trial, finding the one that runs, and reading what came of one.
+#include <algorithm>
+#include <cctype>
+
+#include <nlohmann/json.hpp>
+
+#include "app/server/json_body.h"
+#include "app/server/routes/handlers.h"
+#include "app/server/site.h"
+#include "app/server/training_record.h"
+#include "app/server/views/briefing_view.h"
+#include "app/server/views/trial_view.h"
+#include "app/server/views/words.h"
+#include "app/session/trial_file.h"
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+
+base::Status check_device(const std::string& device) {
+  const bool plain = std::all_of(device.begin(), device.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '+' || c == ' ' || c == '.';
+  });
+  if (!device.empty() && device.size() <= 64 && plain) return base::Done{};
+  return base::Error{base::ErrorCode::invalid_input,
+                     "Name the device by 1 to 64 letters, digits, blanks and hyphens."};
+}
+
+// Holds the person's place among the live trials while one is being prepared.
+class Reservation {
+ public:
+  Reservation(LiveTrials& live, std::string person_id)
+      : live_(live), person_id_(std::move(person_id)) {}
+  ~Reservation() { live_.release(person_id_); }
+  Reservation(const Reservation&) = delete;
+  Reservation& operator=(const Reservation&) = delete;
+
+ private:
+  LiveTrials& live_;
+  std::string person_id_;
+};
+
+base::Result<json> begun_json(Call& call, const RunningTrial& trial) {
+  const auto record = training_record(call.store, call.site, call.me().person.id);
+  if (!record) return record.error();
+  const curricula::Exercise* exercise = record->curriculum->find(trial.exercise_id);
+  const curricula::ExerciseState* state = record->progression.find(trial.exercise_id);
+  if (exercise == nullptr || state == nullptr) {
+    return base::Error{base::ErrorCode::not_found,
+                       "The exercise of your running trial is no longer in the curriculum."};
+  }
+  return json{{"trial_id", trial.trial_id},
+              {"ordinal", trial.ordinal},
+              {"briefing",
+               briefing_json(*record->curriculum, *exercise, *state, call.site.scenes.library())}};
+}
+
+base::Result<RunningTrial> start_trial(Call& call, const curricula::Curriculum& curriculum,
+                                       const curricula::Exercise& exercise,
+                                       const std::string& device) {
+  const std::string& person_id = call.me().person.id;
+  const auto scene = call.site.scenes.scene(exercise.scene);
+  if (!scene) return scene.error();
+  TrialHead head;
+  head.person_id = person_id;
+  head.curriculum_id = curriculum.id;
+  head.exercise_id = exercise.id;
+  head.device = device;
+  head.seed = exercise.scene.seed;
+  const auto begun = begin(call.store, head, **scene);
+  if (!begun) return begun.error();
+
+  const RunningTrial running{begun->trial_id, person_id, exercise.id, begun->ordinal};
+  const auto started = call.site.live.start(
+      running, {begun->trial_id, person_id, *scene, exercise, call.site.options.database_url});
+  if (!started) return started.error();
+  return running;
+}
+
+// The exercise as it was when the trial was made; absent for trials that were not made here.
+base::Result<std::optional<curricula::Exercise>> exercise_then(Call& call,
+                                                               const database::StoredTrial& trial) {
+  auto exercise = exercise_of(call.store, trial, call.site.scenes.library().catalogue());
+  if (exercise) return std::optional<curricula::Exercise>(*std::move(exercise));
+  if (exercise.error().code != base::ErrorCode::not_found) return exercise.error();
+  return std::optional<curricula::Exercise>{};
+}
+
+}  // namespace
+
+base::Result<Response> post_trial(Call& call) {
+  const auto body = read_text_fields(call.request, {"exercise_id", "device"});
+  if (!body) return body.error();
+  const std::string exercise_id = (*body)["exercise_id"], device = (*body)["device"];
+  if (const auto plain = check_device(device); !plain) return plain.error();
+
+  const std::string& person_id = call.me().person.id;
+  if (const auto reserved = call.site.live.reserve(person_id); !reserved) return reserved.error();
+  const Reservation reservation(call.site.live, person_id);
+  const auto record = training_record(call.store, call.site, person_id);
+  if (!record) return record.error();
+  const auto allowed =
+      curricula::may_start(*record->curriculum, record->histories, record->today, exercise_id);
+  if (!allowed) return allowed.error();
+  const auto running =
+      start_trial(call, *record->curriculum, *record->curriculum->find(exercise_id), device);
+  if (!running) return running.error();
+  const auto begun = begun_json(call, *running);
+  if (!begun) return begun.error();
+  return json_response(*begun, 201);
+}
+
+base::Result<Response> get_live_mine(Call& call) {
+  const auto running = call.site.live.of_person(call.me().person.id);
+  if (!running) return json_response({{"trial", nullptr}});
+  const auto begun = begun_json(call, *running);
+  if (!begun) return begun.error();
+  return json_response({{"trial", *begun}});
+}
+
+base::Result<Response> get_trial(Call& call) {
+  const auto trial = database::trial(call.store, call.parameter("id"));
+  if (!trial) return trial.error();
+  if (!trial->end_reason) {
+    return base::Error{base::ErrorCode::conflict,
+                       "This trial is still running; its debrief comes when it has ended."};
+  }
+  const auto exercise = exercise_then(call, *trial);
+  if (!exercise) return exercise.error();
+  auto debrief = debrief_json(call.store, *trial, *exercise ? &**exercise : nullptr);
+  if (!debrief) return debrief.error();
+
+  const auto record = training_record(call.store, call.site, trial->head.person_id);
+  if (!record) return record.error();
+  const auto* state = record->progression.find(trial->head.exercise_id);
+  json answer = *std::move(debrief);
+  answer["progress_sentence"] = state == nullptr ? "" : state->progress.sentence;
+  answer["status"] = assessment::word(state == nullptr ? assessment::ExerciseStatus::available
+                                                       : state->progress.status);
+  return json_response(answer);
+}
+
+}  // namespace app
