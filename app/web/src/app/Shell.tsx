@@ -1,4 +1,3 @@
-import {Button} from '@mantine/core';
 import type {ReactNode} from 'react';
 import {Link, useLocation} from 'wouter';
 import {useSignedIn} from '../parts/api';
@@ -42,7 +41,7 @@ export function Shell({demo, onSignedOut, children}: Props) {
         <div className={styles.who}>
           <span>{session.display_name}</span>
           <span className={styles.avatar} aria-hidden="true">{initialsOf(session.display_name)}</span>
-          <Button variant="subtle" color="gray" size="compact-sm" onClick={signOut}>Sign out</Button>
+          <button type="button" className={styles.out} onClick={signOut}>Sign out</button>
         </div>
       </header>
       <main id="content" className="page" tabIndex={-1}>{children}</main>

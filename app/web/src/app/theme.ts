@@ -21,10 +21,13 @@ export const theme = createTheme({
   focusRing: 'auto',
   respectReducedMotion: true,
   components: {
-    Button: {defaultProps: {size: 'sm'}},
-    TextInput: {defaultProps: {size: 'sm'}},
-    PasswordInput: {defaultProps: {size: 'sm'}},
-    NativeSelect: {defaultProps: {size: 'sm'}},
+    Button: {
+      defaultProps: {size: 'sm'},
+      vars: (_theme: unknown, props: {size?: unknown}) => ({
+        root: props.size === 'md' ? {'--button-height': '44px', '--button-fz': '16px'} : {'--button-height': '32px'},
+      }),
+    },
+    Input: {vars: () => ({wrapper: {'--input-height': '32px', '--input-size': '32px'}})},
   },
 });
 
@@ -45,7 +48,7 @@ const surfaces = {
 };
 
 export const cssVariables: CSSVariablesResolver = () => ({
-  variables: {'--button-height-sm': '32px', '--input-height-sm': '32px'},
+  variables: {},
   light: surfaces,
   dark: surfaces,
 });

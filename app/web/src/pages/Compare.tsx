@@ -102,7 +102,7 @@ function Content({comparison}: {comparison: Comparison}) {
         </section>
         <div className={styles.tables}>
           <Panel title="Groups"><Groups groups={comparison.groups} /></Panel>
-          <Panel title="Learning, person by person"><DataTable table={comparison.learning} caption="Learning, person by person" /></Panel>
+          <Panel title="Learning, person by person"><DataTable table={comparison.learning} caption="Table of learning, person by person" /></Panel>
         </div>
       </div>
     </>

@@ -8,7 +8,7 @@ import {Panel} from '../parts/Panel';
 import {lookOf, State} from '../parts/State';
 import {endWord, sourceWord, stateOfTrial} from '../parts/TrialTable';
 import {useResource, useSignedIn} from '../parts/api';
-import {formatBound, formatClock, formatValue, formatWhen} from '../parts/format';
+import {digitsToTellApart, formatBound, formatClock, formatValue, formatWhen} from '../parts/format';
 import {paths} from '../parts/paths';
 import {useBeginTrial} from '../parts/use_begin_trial';
 import {useTitle} from '../parts/use_title';
@@ -104,6 +104,7 @@ function Criteria({debrief}: {debrief: DebriefData}) {
 }
 
 function CriterionRow({criterion}: {criterion: CriterionResult}) {
+  const digits = digitsToTellApart(criterion.value, criterion.needed, criterion.unit);
   return (
     <tr>
       <td><State state={criterion.met ? 'met' : 'not_met'} /></td>
@@ -111,8 +112,8 @@ function CriterionRow({criterion}: {criterion: CriterionResult}) {
         {criterion.title}
         <div className="xs faint">{criterion.note}{criterion.provisional ? ' Provisional target.' : ''}</div>
       </td>
-      <td className="r strong">{formatValue(criterion.value, criterion.unit)}</td>
-      <td className="r muted">{formatBound(criterion.op, criterion.needed, criterion.unit)}</td>
+      <td className="r strong">{formatValue(criterion.value, criterion.unit, digits)}</td>
+      <td className="r muted">{formatBound(criterion.op, criterion.needed, criterion.unit, digits)}</td>
     </tr>
   );
 }
@@ -123,7 +124,7 @@ function Events({events}: {events: EventRow[]}) {
       {events.length === 0
         ? <EmptyState title="No event">Nothing was noted between the first motion and the end.</EmptyState>
         : (
-          <div className={styles.scroll} role="region" aria-label="Events" tabIndex={0}>
+          <div className={styles.scroll} role="region" aria-label="All events" tabIndex={0}>
             <table className="table">
               <thead><tr><th scope="col" className="r">At</th><th scope="col">Weight</th><th scope="col">What happened</th></tr></thead>
               <tbody>
@@ -148,7 +149,7 @@ function Measurements({metrics}: {metrics: MetricResult[]}) {
       {metrics.length === 0
         ? <EmptyState title="Nothing measured">The trial ended before there was anything to measure.</EmptyState>
         : (
-          <div className={styles.scroll} role="region" aria-label="Measurements" tabIndex={0}>
+          <div className={styles.scroll} role="region" aria-label="All measurements" tabIndex={0}>
             <table className="table">
               <thead><tr><th scope="col">Measurement</th><th scope="col" className="r">You</th><th scope="col">Better is</th></tr></thead>
               <tbody>

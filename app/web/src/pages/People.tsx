@@ -1,6 +1,7 @@
 import {SegmentedControl, TextInput} from '@mantine/core';
 import {useState} from 'react';
 import {Link} from 'wouter';
+import {ChartView} from '../parts/ChartView';
 import {EmptyState} from '../parts/EmptyState';
 import {Loaded} from '../parts/Loaded';
 import {KindTag, levelWord} from '../parts/PersonFacts';
@@ -65,29 +66,61 @@ function PeopleTable({people}: {people: PersonRow[]}) {
             <th scope="col">Exercises</th>
             <th scope="col" className="r">Trials</th>
             <th scope="col">Last trial</th>
+            <th scope="col"><span className="visually-hidden">Curves</span></th>
           </tr>
         </thead>
         <tbody>
-          {people.map((person) => (
-            <tr key={person.person_id}>
-              <th scope="row">
-                <span className={styles.name}>
-                  <Link href={paths.person(person.person_id)}>{person.display_name}</Link>
-                  <KindTag kind={person.kind} />
-                  {person.kind === 'live' && person.role !== 'trainee' && <span className="tag">{person.role}</span>}
-                  {person.disabled && <span className="tag">Disabled</span>}
-                </span>
-              </th>
-              <td className="muted">{levelWord(person.level)}</td>
-              <td className="muted">{person.groups.length === 0 ? '–' : person.groups.join(', ')}</td>
-              <td>{person.statuses.length === 0 ? <span className="faint">–</span> : <Statuses person={person} />}</td>
-              <td className="r">{person.trials}</td>
-              <td className="muted">{formatWhen(person.last_trial_utc)}</td>
-            </tr>
-          ))}
+          {people.map((person) => <PersonLines key={person.person_id} person={person} />)}
         </tbody>
       </table>
     </div>
+  );
+}
+
+function PersonLines({person}: {person: PersonRow}) {
+  const [open, setOpen] = useState(false);
+  const curves = `curves-${person.person_id}`;
+  return (
+    <>
+      <tr>
+        <th scope="row">
+          <span className={styles.name}>
+            <Link href={paths.person(person.person_id)}>{person.display_name}</Link>
+            <KindTag kind={person.kind} />
+            {person.kind === 'live' && person.role !== 'trainee' && <span className="tag">{person.role}</span>}
+            {person.disabled && <span className="tag">Disabled</span>}
+          </span>
+        </th>
+        <td className="muted">{levelWord(person.level)}</td>
+        <td className="muted">{person.groups.length === 0 ? '–' : person.groups.join(', ')}</td>
+        <td>{person.statuses.length === 0 ? <span className="faint">–</span> : <Statuses person={person} />}</td>
+        <td className="r">{person.trials}</td>
+        <td className="muted">{formatWhen(person.last_trial_utc)}</td>
+        <td className="r">
+          {person.trials > 0 && (
+            <button type="button" className={styles.toggle} aria-expanded={open} aria-controls={curves} onClick={() => setOpen(!open)}>
+              {open ? 'Hide' : 'Curves'}<span className="visually-hidden"> of {person.display_name}</span>
+            </button>
+          )}
+        </td>
+      </tr>
+      {open && <tr id={curves}><td colSpan={7}><Curves personId={person.person_id} /></td></tr>}
+    </>
+  );
+}
+
+// The learning curves in place, loaded when they are asked for.
+function Curves({personId}: {personId: string}) {
+  const resource = useResource(`progress ${personId}`, (api) => api.progress(personId));
+  return (
+    <Loaded resource={resource} what="the curves">
+      {({exercises}) => (
+        <div className={styles.curves}>
+          {exercises.flatMap((exercise) => exercise.charts.slice(0, 1).map((chart) =>
+            <ChartView key={`${exercise.exercise_id} ${chart.id}`} chart={{...chart, title: `${exercise.title}: ${chart.title}`}} />))}
+        </div>
+      )}
+    </Loaded>
   );
 }
 
@@ -98,7 +131,7 @@ function Statuses({person}: {person: PersonRow}) {
         <li key={card.exercise_id}>
           <span className="small">{card.title}</span>
           <State state={card.status} />
-          <span className="xs faint">{card.sentence}</span>
+          <span className={`xs faint ${styles.sentence}`}>{card.sentence}</span>
         </li>
       ))}
     </ul>

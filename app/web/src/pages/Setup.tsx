@@ -46,11 +46,11 @@ export function Setup({api, needed, onDone}: Props) {
         {needed && token !== '' && (
           <form className={styles.form} onSubmit={submit}>
             <p className="muted">You become the first administrator. The link works once.</p>
-            <TextInput label="Name" autoComplete="username" autoFocus required value={name}
+            <TextInput label="Name" autoComplete="username" autoFocus required withAsterisk={false} value={name}
               onChange={(event) => setName(event.currentTarget.value)} />
-            <PasswordInput label="Password" description="Twelve characters or more" autoComplete="new-password" required
+            <PasswordInput label="Password" description="Twelve characters or more" autoComplete="new-password" required withAsterisk={false}
               minLength={12} value={password} onChange={(event) => setPassword(event.currentTarget.value)} />
-            <PasswordInput label="Password again" autoComplete="new-password" required value={again}
+            <PasswordInput label="Password again" autoComplete="new-password" required withAsterisk={false} value={again}
               onChange={(event) => setAgain(event.currentTarget.value)} />
             <div role="alert">
               {problem !== '' && <p className={`tone-bad ${styles.problem}`}><Icon name="octagon" />{problem}</p>}

@@ -39,9 +39,9 @@ export function SignIn({api, site, onDone}: Props) {
         <p className={styles.brand}>Cathedra</p>
         <h1>Sign in</h1>
         <form className={styles.form} onSubmit={submit}>
-          <TextInput label="Name" name="name" autoComplete="username" autoFocus required value={name}
+          <TextInput label="Name" name="name" autoComplete="username" autoFocus required withAsterisk={false} value={name}
             onChange={(event) => setName(event.currentTarget.value)} />
-          <PasswordInput label="Password" name="password" autoComplete="current-password" required value={password}
+          <PasswordInput label="Password" name="password" autoComplete="current-password" required withAsterisk={false} value={password}
             onChange={(event) => setPassword(event.currentTarget.value)} />
           <div role="alert">
             {problem !== '' && <p className={`tone-bad ${styles.problem}`}><Icon name="octagon" />{problem}</p>}

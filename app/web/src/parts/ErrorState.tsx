@@ -11,7 +11,7 @@ interface Props {
 export function ErrorState({problem, onRetry}: Props) {
   return (
     <section className={`panel ${styles.notice}`} role="alert">
-      <span className="state tone-bad"><Icon name="octagon" />This did not work</span>
+      <h1 className="state tone-bad"><Icon name="octagon" />This did not work</h1>
       <p>{problem.message}</p>
       {onRetry && <Button variant="default" onClick={onRetry}>Try again</Button>}
     </section>

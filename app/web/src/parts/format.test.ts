@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 import {
-  formatBound, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf,
+  digitsToTellApart, formatBound, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf,
 } from './format';
 
 const thin = '\u00a0';
@@ -31,6 +31,14 @@ describe('values', () => {
     expect(formatDifference(-12.5, 's')).toBe(`\u221212.5${thin}s`);
     expect(formatBound('<=', 2, 'N')).toBe(`≤${thin}2${thin}N`);
   });
+});
+
+it('shows enough decimals to tell a value from its bound', () => {
+  expect(digitsToTellApart(379, 288.24, 's')).toBe(1);
+  expect(digitsToTellApart(288.249, 288.24, 's')).toBe(2);
+  expect(digitsToTellApart(2.00004, 2, 'N')).toBe(5);
+  expect(digitsToTellApart(2, 2, 'N')).toBe(2);
+  expect(digitsToTellApart(null, 2, 'N')).toBe(2);
 });
 
 describe('times', () => {

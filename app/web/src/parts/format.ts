@@ -12,8 +12,9 @@ export function formatNumber(value: number, digits = 2): string {
   return sign + whole + (fraction === undefined ? '' : `.${fraction}`);
 }
 
-/** Decimals that still change a verdict at this size: 379 s, 41.2 s, 1.62 N, 0.043 N. */
-export function digitsFor(value: number): number {
+/** Decimals worth reading at this size: 41.2 s, 1.62 N, 0.043 N. */
+export function digitsFor(value: number, unit: string): number {
+  if (unit === 's') return 1;
   const size = Math.abs(value);
   if (size >= 100) return 1;
   if (size >= 1) return 2;
@@ -28,11 +29,19 @@ export function unitWord(unit: string): string {
   return unitWords[unit.toLowerCase()] ?? unit;
 }
 
+/** As many decimals as it takes to see that a value is not its bound: rounding must not change a verdict. */
+export function digitsToTellApart(value: number | null, bound: number, unit: string): number {
+  let digits = digitsFor(bound, unit);
+  if (value === null || value === bound) return digits;
+  while (digits < 6 && formatNumber(value, digits) === formatNumber(bound, digits)) ++digits;
+  return digits;
+}
+
 /** 1.62, "N" -> "1.62 N". */
-export function formatValue(value: number | null, unit: string): string {
+export function formatValue(value: number | null, unit: string, digits?: number): string {
   if (value === null) return 'not measured';
   const word = unitWord(unit);
-  const text = formatNumber(value, digitsFor(value));
+  const text = formatNumber(value, digits ?? digitsFor(value, unit));
   if (word === '') return text;
   return word === '°' ? `${text}°` : `${text}${thin}${word}`;
 }
@@ -45,8 +54,8 @@ export function formatDifference(value: number, unit: string): string {
 const signs: Readonly<Record<string, string>> = {'<=': '≤', '>=': '≥', '==': '=', '!=': '≠', le: '≤', ge: '≥', lt: '<', gt: '>', eq: '='};
 
 /** "<=", 288.24, "s" -> "≤ 288.2 s". */
-export function formatBound(op: string, value: number, unit: string): string {
-  return `${signs[op] ?? op}${thin}${formatValue(value, unit)}`;
+export function formatBound(op: string, value: number, unit: string, digits?: number): string {
+  return `${signs[op] ?? op}${thin}${formatValue(value, unit, digits)}`;
 }
 
 /** 140.4 -> "2:20": a position on a time axis. */

@@ -33,5 +33,6 @@ it('lines numbers up and leaves words alone', () => {
 it('gives each role its own bar', () => {
   expect(navigationOf('trainee').map((entry) => entry.label)).toEqual(['My training', 'My progress', 'Controls', 'Help']);
   expect(navigationOf('instructor').map((entry) => entry.label)).toEqual(['People', 'Compare', 'Help']);
+  expect(navigationOf('researcher').map((entry) => entry.label)).toEqual(['Compare', 'Help']);
   expect(navigationOf('administrator')[0]?.label).toBe('People');
 });

@@ -33,9 +33,9 @@ export function navigationOf(role: Role): NavEntry[] {
       {path: paths.help, label: 'Help'},
     ];
   }
-  return [
-    {path: paths.people, label: 'People'},
+  const compare = [
     {path: paths.compare, label: 'Compare'},
     {path: paths.help, label: 'Help'},
   ];
+  return role === 'researcher' ? compare : [{path: paths.people, label: 'People'}, ...compare];
 }
