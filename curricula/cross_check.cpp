@@ -135,28 +135,30 @@ class CrossChecker {
   struct Edge {
     std::string from, to;
     const YamlNode* at;
+    bool is_choice;  // says "requires" itself; the others follow from where an exercise stands
   };
 
   std::vector<Edge> edges() const {
     std::vector<Edge> edges;
     for (const ExerciseDraft& draft : drafts_.exercises) {
       for (const auto& requirement : draft.requirements) {
-        edges.push_back({draft.exercise.id, requirement.exercise, requirement.at});
+        edges.push_back({draft.exercise.id, requirement.exercise, requirement.at, true});
       }
     }
     for (const BlockDraft& draft : drafts_.blocks) {
-      // blocks stand between exercises as nodes of their own, so that the graph stays small
+      // blocks are nodes of their own, entered and left by different names, so that the graph
+      // stays small and exercises of one block do not require each other
+      const std::string entry = "before block " + draft.block.id;
       for (const Fields::Word& word : draft.exercises) {
-        edges.push_back({word.text, "before block " + draft.block.id, word.node});
-        edges.push_back({"block " + draft.block.id, word.text, word.node});
+        edges.push_back({word.text, entry, word.node, false});
+        edges.push_back({"block " + draft.block.id, word.text, word.node, false});
       }
       if (draft.after_node) {
-        edges.push_back(
-            {"before block " + draft.block.id, "block " + draft.block.after, draft.after_node});
+        edges.push_back({entry, "block " + draft.block.after, draft.after_node, true});
       }
       for (std::size_t i = 1; !draft.block.any_order && i < draft.exercises.size(); ++i) {
         edges.push_back(
-            {draft.exercises[i].text, draft.exercises[i - 1].text, draft.exercises[i].node});
+            {draft.exercises[i].text, draft.exercises[i - 1].text, draft.exercises[i].node, true});
       }
     }
     return edges;
@@ -167,10 +169,12 @@ class CrossChecker {
     const std::vector<Edge> all = edges();
     std::map<std::string, std::vector<const Edge*>> out;
     for (const Edge& edge : all) out[edge.from].push_back(&edge);
+
     enum class Mark { open, done };
     std::map<std::string, Mark> marks;
     struct Visit {
       std::string name;
+      const Edge* by = nullptr;  // the edge it was reached by
       std::size_t next = 0;
     };
     for (const auto& [start, unused] : out) {
@@ -185,36 +189,43 @@ class CrossChecker {
           path.pop_back();
           continue;
         }
-        const Edge& edge = *found->second[visit.next++];
-        const auto mark = marks.find(edge.to);
+        const Edge* edge = found->second[visit.next++];
+        const auto mark = marks.find(edge->to);
         if (mark == marks.end()) {
-          marks[edge.to] = Mark::open;
-          path.push_back({edge.to});
+          marks[edge->to] = Mark::open;
+          path.push_back({edge->to, edge});
         } else if (mark->second == Mark::open) {
-          std::vector<std::string> names;
-          for (const Visit& v : path) names.push_back(v.name);
-          report_cycle(names, edge);
+          std::vector<const Edge*> cycle{edge};
+          for (auto v = path.rbegin(); v->name != edge->to; ++v) cycle.push_back(v->by);
+          std::reverse(cycle.begin(), cycle.end());
+          report_cycle(cycle);
         }
       }
     }
   }
 
-  void report_cycle(const std::vector<std::string>& path, const Edge& closing) {
-    auto first = std::find(path.begin(), path.end(), closing.to);
+  void report_cycle(const std::vector<const Edge*>& cycle) {
+    // one tangle, one sentence: whoever undoes it checks again
+    bool is_new = true;
+    for (const Edge* edge : cycle) is_new = in_cycle_.insert(edge->from).second && is_new;
+    if (!is_new) return;
+    const Edge* at = cycle.back();
     std::string names;
-    for (auto name = first; name != path.end(); ++name) {
-      if (name->starts_with("before block ")) continue;  // says no more than the block's name
-      names += "'" + *name + "' requires ";
+    for (const Edge* edge : cycle) {
+      if (edge->is_choice) at = edge;
+      if (edge->from.starts_with("before block ")) continue;  // says no more than the block's name
+      names += "'" + edge->from + "' requires ";
     }
-    problems_.error(*closing.at,
-                    "the prerequisites go in a circle (" + names + "'" +
-                        (closing.to.starts_with("before ") ? closing.to.substr(7) : closing.to) +
-                        "'): take one of them out");
+    const std::string& first = cycle.front()->from;
+    const std::string last = first.starts_with("before ") ? first.substr(7) : first;
+    problems_.error(*at->at, "the prerequisites go in a circle (" + names + "'" + last +
+                                 "'): take one of them out");
   }
 
   const Drafts& drafts_;
   Problems& problems_;
   std::vector<std::string> exercise_ids_, block_ids_;
+  std::set<std::string> in_cycle_;  // what is part of a circle that was reported
 };
 
 }  // namespace

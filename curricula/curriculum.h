@@ -27,6 +27,8 @@ struct Step {
   double seconds = 0.0;     // hold: how long
   int times = 1;            // repeat
   std::vector<Step> steps;  // repeat
+
+  bool operator==(const Step&) const = default;
 };
 
 enum class Consequence { mark, fail, critical_error, stop };
@@ -36,6 +38,8 @@ struct Limit {
   assessment::Comparison comparison = assessment::Comparison::less_equal;
   double bound = 0.0;
   Consequence on_breach = Consequence::mark;
+
+  bool operator==(const Limit&) const = default;
 };
 
 struct Scene {
@@ -43,12 +47,16 @@ struct Scene {
   std::vector<std::string> instruments;
   double start = 0.0;  // mm inserted at the start
   std::uint64_t seed = 0;
+
+  bool operator==(const Scene&) const = default;
 };
 
 struct Attempt {
   double time_limit = 900.0;  // s, simulated
   bool timeout_fails = true;  // false: a timed-out trial is invalid
   bool abort_fails = false;   // false: an aborted trial is invalid
+
+  bool operator==(const Attempt&) const = default;
 };
 
 struct Exercise {
@@ -79,6 +87,8 @@ struct Benchmark {
   Text reason;
   std::string cohort, apparatus;  // of the data; empty when the file names none
   int min_participants = 0;
+
+  bool operator==(const Benchmark&) const = default;
 };
 
 struct Block {
@@ -88,6 +98,8 @@ struct Block {
   bool any_order = true;
   int max_trials_per_day = 0;  // 0: no limit
   std::string after;           // id of the block that must be proficient first, or empty
+
+  bool operator==(const Block&) const = default;
 };
 
 enum class Lifecycle { draft, published, retired };

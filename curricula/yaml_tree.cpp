@@ -15,6 +15,8 @@ namespace curricula {
 namespace {
 
 constexpr std::size_t kMostProblems = 1000;
+constexpr const char* kAliasRefused =
+    "aliases (*name) are not part of the format: write the value out";
 
 // Thrown by the builder to leave yaml-cpp; what was wrong is noted already.
 struct Stop {
@@ -71,7 +73,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
     const YamlNode node = place(mark, YamlNode::Kind::unusable);
-    problems_.error(node, "aliases (*name) are not part of the format: write the value out");
+    problems_.error(node, kAliasRefused);
     attach(node);
   }
 
@@ -263,7 +265,12 @@ void parse_into(TreeBuilder& builder, std::string_view text) {
 
 void report_syntax(std::string_view text, const YAML::Exception& exception, Problems& problems) {
   Cursor cursor(text);
-  cursor.move_to(static_cast<std::size_t>(std::max(exception.mark.pos, 0)));
+  const auto at = static_cast<std::size_t>(std::max(exception.mark.pos, 0));
+  cursor.move_to(at);
+  if (at < text.size() && text[at] == '*') {  // an alias of nothing stops yaml-cpp
+    problems.error(cursor.line(), cursor.column(), kAliasRefused);
+    return;
+  }
   problems.error(
       cursor.line(), cursor.column(),
       "the YAML cannot be read from here on (" + exception.msg +
