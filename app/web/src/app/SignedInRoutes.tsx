@@ -13,7 +13,9 @@ import {People} from '../pages/People';
 import {Person} from '../pages/Person';
 import {Progress} from '../pages/Progress';
 import {Training} from '../pages/Training';
+import {DemoBanner} from './DemoBanner';
 import {Shell} from './Shell';
+import styles from './shell.module.css';
 
 // three.js comes with the console only
 const ConsolePage = lazy(() => import('../console/ConsolePage'));
@@ -31,7 +33,12 @@ export function SignedInRoutes({demo, version, onSignedOut}: Props) {
   return (
     <Switch>
       <Route path="/console/:id">
-        {({id}) => <Suspense fallback={<Loading what="the console" />}><ConsolePage trialId={decodeURIComponent(id)} /></Suspense>}
+        {({id}) => (
+          <div className={demo ? styles.room : undefined}>
+            {demo && <DemoBanner />}
+            <Suspense fallback={<Loading what="the console" />}><ConsolePage trialId={decodeURIComponent(id)} /></Suspense>
+          </div>
+        )}
       </Route>
       <Route path="/training">{desk(<Training />)}</Route>
       <Route path="/exercises/:id">{({id}) => desk(<Briefing exerciseId={decodeURIComponent(id)} />)}</Route>

@@ -21,6 +21,38 @@ const rows: KeyRow[] = [
 
 const units = {feed_mm_s: 'mm/s', turn_deg_s: '°/s'} as const;
 
+const mouse: readonly [string, string][] = [
+  ['Drag the handle', 'Up and down feeds, sideways turns; with Shift ten times finer'],
+  ['Wheel on the handle', 'Feeds a millimetre a notch; with Shift a tenth'],
+  ['Drag the picture', 'Turns the view'],
+  ['Wheel on the picture', 'Zoom'],
+];
+
+const others: readonly [string, string][] = [
+  ['P', 'Pause and resume'],
+  ['Esc', 'End the trial, after asking'],
+  ['F', 'Whole vessel or follow the tip'],
+  ['T', 'Instrument in true size'],
+  ['+ −', 'Zoom'],
+  ['0', 'Reset the view'],
+  ['?', 'All controls, in the console'],
+];
+
+function Keys({rows: lines}: {rows: readonly [string, string][]}) {
+  return (
+    <table className="table">
+      <tbody>
+        {lines.map(([keys, what]) => (
+          <tr key={keys}>
+            <th scope="row" className={styles.name}>{keys}</th>
+            <td>{what}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
 /** Which hand does what? */
 export function Controls() {
   useTitle('Controls');
@@ -52,14 +84,14 @@ export function Controls() {
               </tbody>
             </table>
           </div>
-          <p className="small muted">Let go of every key and the hand stands still. Hold Shift for fine work near a target.</p>
+          <p className={`small muted ${styles.note}`}>Let go of every key and the hand stands still. Hold Shift for fine work near a target.</p>
         </Panel>
         <div className="stack">
           <Panel title="Mouse">
-            <p className="muted">
-              Drag on the 3-D view: up and down feeds and retracts, left and right turns the handle. The legend at the foot of
-              the console repeats this.
-            </p>
+            <Keys rows={mouse} />
+          </Panel>
+          <Panel title="Picture and trial">
+            <Keys rows={others} />
           </Panel>
           <Panel title="When the hand is interrupted">
             <p className="muted">

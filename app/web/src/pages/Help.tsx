@@ -53,7 +53,7 @@ function ForTrainees() {
           starts with your first motion. <Link href={paths.controls}>The keys</Link> stand at its foot.
         </li>
         <li><span className="strong">Lost connection.</span> The trial pauses. Come back and choose Continue on My training.</li>
-        <li><span className="strong">A second window</span> can look but not steer; close it or go on in it once the first is closed.</li>
+        <li><span className="strong">A second window</span> cannot steer: go on in the first one, or close it and try again in the second.</li>
         <li><span className="strong">The debrief</span> gives the verdict, the rule it came from, and what to do next.</li>
         <li><span className="strong">My progress</span> keeps every trial and your learning curve.</li>
       </ol>

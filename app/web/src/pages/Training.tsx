@@ -202,7 +202,7 @@ function LastTrials({trials}: {trials: TrialRow[]}) {
 function Result({trial}: {trial: TrialRow}) {
   const look = lookOf(stateOfTrial(trial));
   return (
-    <span className={`state tone-${look.tone}`} title={endWord(trial)}><Icon name={look.icon} />{look.word}</span>
+    <span className={`state tone-${look.tone}`} title={endWord(trial)}><Icon name={look.icon} /><span>{look.word}</span></span>
   );
 }
 

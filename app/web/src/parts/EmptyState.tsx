@@ -6,7 +6,7 @@ import styles from './notices.module.css';
 export function EmptyState({title, children}: {title: string; children: ReactNode}) {
   return (
     <div className={styles.empty}>
-      <span className="state tone-idle"><Icon name="circle" />{title}</span>
+      <span className="state tone-idle"><Icon name="circle" /><span>{title}</span></span>
       <div className="muted">{children}</div>
     </div>
   );

@@ -40,5 +40,5 @@ export function lookOf(state: StateName): Look {
 /** The only place that colours a state: a sign and a word carry it, the colour repeats it. */
 export function State({state}: {state: StateName}) {
   const look = looks[state];
-  return <span className={`state tone-${look.tone}`}><Icon name={look.icon} />{look.word}</span>;
+  return <span className={`state tone-${look.tone}`}><Icon name={look.icon} /><span>{look.word}</span></span>;
 }
