@@ -64,7 +64,9 @@ std::string distance_text(double value, double bound, std::string_view unit) {
   const std::string shown = text_beside(value, bound, unit);
   const int decimals =
       std::min(kMostDecimals, std::max(decimals_in(shown), decimals_in(exact_text(bound))));
-  return fixed(std::abs(read(shown) - bound), decimals);
+  const std::string text = fixed(std::abs(read(shown) - bound), decimals);
+  const bool vanished = read(text) == 0.0 && value != bound;
+  return vanished ? exact_text(std::abs(value - bound)) : text;
 }
 
 }  // namespace assessment
