@@ -47,24 +47,25 @@ void show(const std::string& id, Output& output) {
   if (!library) return output.fail(library.error());
   SceneStore scenes(*std::move(library));
   const curricula::AnatomySpec* spec = scenes.library().anatomy(id);
-  if (!spec) return output.fail("there is no anatomy \"" + id + "\"; see: cathedra anatomy list", kWrongCall);
+  if (!spec)
+    return output.fail("there is no anatomy \"" + id + "\"; see: cathedra anatomy list",
+                       kWrongCall);
   const auto vessel = scenes.vessel(id);
   if (!vessel) return output.fail(vessel.error());
 
   const auto& centreline = (*vessel)->centreline;
   const auto by_radius = [](const auto& a, const auto& b) { return a.radius < b.radius; };
   const auto [narrow, wide] = std::minmax_element(centreline.begin(), centreline.end(), by_radius);
-  const ordered_json document = {
-      {"anatomy", id},
-      {"title", spec->title},
-      {"length_mm", centreline.back().arc_length},
-      {"radius_min_mm", narrow->radius},
-      {"radius_max_mm", wide->radius},
-      {"triangles", (*vessel)->surface.triangles.size()},
-      {"vertices", (*vessel)->surface.vertices.size()},
-      {"closed", is_closed((*vessel)->surface)},
-      {"source", spec->source},
-      {"sha256", spec->sha256}};
+  const ordered_json document = {{"anatomy", id},
+                                 {"title", spec->title},
+                                 {"length_mm", centreline.back().arc_length},
+                                 {"radius_min_mm", narrow->radius},
+                                 {"radius_max_mm", wide->radius},
+                                 {"triangles", (*vessel)->surface.triangles.size()},
+                                 {"vertices", (*vessel)->surface.vertices.size()},
+                                 {"closed", is_closed((*vessel)->surface)},
+                                 {"source", spec->source},
+                                 {"sha256", spec->sha256}};
   if (output.json) return output.print(document);
   for (const auto& [key, value] : document.items()) {
     std::cout << std::left << std::setw(16) << key << value << '\n';
@@ -82,7 +83,8 @@ void add_anatomy(CLI::App& app, Output& output) {
   add_json_flag(*list_command, output);
   list_command->callback([&output] { list(output); });
   auto id = std::make_shared<std::string>();  // shared: kept alive by the callback
-  CLI::App* show_command = anatomy->add_subcommand("show", "Build one and describe its surface and centreline");
+  CLI::App* show_command =
+      anatomy->add_subcommand("show", "Build one and describe its surface and centreline");
   show_command->footer("Example: cathedra anatomy show straight-phantom --json");
   show_command->add_option("anatomy", *id, "Id of the anatomy")->required();
   add_json_flag(*show_command, output);

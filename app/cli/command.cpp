@@ -66,7 +66,8 @@ void ProgressBar::set(double fraction) {
   if (percent == drawn_) return;
   drawn_ = percent;
   const int filled = percent * kWidth / 100;
-  std::fprintf(stderr, "\r%s [%s%s] %3d %%", title_.c_str(), std::string(static_cast<std::size_t>(filled), '#').c_str(),
+  std::fprintf(stderr, "\r%s [%s%s] %3d %%", title_.c_str(),
+               std::string(static_cast<std::size_t>(filled), '#').c_str(),
                std::string(static_cast<std::size_t>(kWidth - filled), ' ').c_str(), percent);
   std::fflush(stderr);
 }

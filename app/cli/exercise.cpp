@@ -127,8 +127,7 @@ void run(const RunOptions& options, Output& output) {
     const int practice = options.practice + k;
     ProgressBar bar(options.exercise + " by " + options.skill + ", seed " + std::to_string(seed));
     const auto result = run_simulated(
-        **store,
-        {found.curriculum, found.exercise, options.skill, seed, practice, *person}, *scene,
+        **store, {found.curriculum, found.exercise, options.skill, seed, practice, *person}, *scene,
         [&](double fraction) {
           bar.set(fraction);
           return true;
@@ -168,28 +167,41 @@ void list(Output& output) {
 }  // namespace
 
 void add_exercise(CLI::App& app, Output& output) {
-  CLI::App* exercise = app.add_subcommand("exercise", "List exercises, or let a simulated operator do one");
+  CLI::App* exercise =
+      app.add_subcommand("exercise", "List exercises, or let a simulated operator do one");
   exercise->require_subcommand(1);
-  exercise->footer("Example: cathedra exercise run linear --operator expert --seed 7 --database sqlite:t.db");
+  exercise->footer(
+      "Example: cathedra exercise run linear --operator expert --seed 7 --database sqlite:t.db");
 
-  CLI::App* list_command = exercise->add_subcommand("list", "All exercises of the built-in curricula");
+  CLI::App* list_command =
+      exercise->add_subcommand("list", "All exercises of the built-in curricula");
   list_command->footer("Example: cathedra exercise list --json");
   add_json_flag(*list_command, output);
   list_command->callback([&output] { list(output); });
 
   auto options = std::make_shared<RunOptions>();  // shared: kept alive by the callback
-  CLI::App* run_command =
-      exercise->add_subcommand("run", "A simulated operator does one exercise; the trial is filed and labelled as simulated");
-  run_command->footer("Example: cathedra exercise run linear --operator novice --seed 3 --trials 10");
-  run_command->add_option("exercise", options->exercise, "Id of the exercise (see: exercise list)")->required();
+  CLI::App* run_command = exercise->add_subcommand(
+      "run",
+      "A simulated operator does one exercise; the trial is filed and labelled as simulated");
+  run_command->footer(
+      "Example: cathedra exercise run linear --operator novice --seed 3 --trials 10");
+  run_command->add_option("exercise", options->exercise, "Id of the exercise (see: exercise list)")
+      ->required();
   run_command->add_option("--operator", options->skill, "Skill")
-      ->check(CLI::IsMember({"expert", "intermediate", "novice"}))->capture_default_str();
-  run_command->add_option("--seed", options->seed, "Seed of the operator's random numbers")->capture_default_str();
-  run_command->add_option("--practice", options->practice, "The operator's how-manieth trial it is: later ones are better")
-      ->check(CLI::Range(1, 10000))->capture_default_str();
+      ->check(CLI::IsMember({"expert", "intermediate", "novice"}))
+      ->capture_default_str();
+  run_command->add_option("--seed", options->seed, "Seed of the operator's random numbers")
+      ->capture_default_str();
+  run_command
+      ->add_option("--practice", options->practice,
+                   "The operator's how-manieth trial it is: later ones are better")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
   run_command->add_option("--trials", options->trials, "How many, with rising seed and practice")
-      ->check(CLI::Range(1, 100000))->capture_default_str();
-  run_command->add_option("--database", options->database, "sqlite:PATH; made when absent")->capture_default_str();
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  run_command->add_option("--database", options->database, "sqlite:PATH; made when absent")
+      ->capture_default_str();
   add_json_flag(*run_command, output);
   run_command->callback([options, &output] { run(*options, output); });
 }

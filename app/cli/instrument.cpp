@@ -51,9 +51,9 @@ void list(Output& output) {
   for (const auto& spec : library->instruments) rows.push_back(summary_json(spec));
   if (output.json) return output.print(rows);
   for (const auto& spec : library->instruments) {
-    std::cout << std::left << std::setw(26) << spec.id << std::setw(34) << spec.title
-              << std::fixed << std::setprecision(2) << spec.outer_diameter << " mm  "
-              << std::setprecision(0) << spec.length() << " mm\n";
+    std::cout << std::left << std::setw(26) << spec.id << std::setw(34) << spec.title << std::fixed
+              << std::setprecision(2) << spec.outer_diameter << " mm  " << std::setprecision(0)
+              << spec.length() << " mm\n";
   }
 }
 
@@ -61,7 +61,9 @@ void show(const std::string& id, Output& output) {
   const auto library = load_installed_library();
   if (!library) return output.fail(library.error());
   const curricula::InstrumentSpec* spec = library->instrument(id);
-  if (!spec) return output.fail("there is no instrument \"" + id + "\"; see: cathedra instrument list", kWrongCall);
+  if (!spec)
+    return output.fail("there is no instrument \"" + id + "\"; see: cathedra instrument list",
+                       kWrongCall);
   const ordered_json document = full_json(*spec);
   if (output.json) return output.print(document);
   std::cout << spec->title << " (" << spec->kind << "), " << spec->outer_diameter << " mm, "
@@ -86,7 +88,8 @@ void add_instrument(CLI::App& app, Output& output) {
   add_json_flag(*list_command, output);
   list_command->callback([&output] { list(output); });
   auto id = std::make_shared<std::string>();  // shared: kept alive by the callback
-  CLI::App* show_command = instrument->add_subcommand("show", "One instrument with its stiffness and its source");
+  CLI::App* show_command =
+      instrument->add_subcommand("show", "One instrument with its stiffness and its source");
   show_command->footer("Example: cathedra instrument show catheter-5f-angled");
   show_command->add_option("instrument", *id, "Id of the instrument")->required();
   add_json_flag(*show_command, output);

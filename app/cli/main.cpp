@@ -11,9 +11,10 @@ namespace {
 
 int run(int argc, char** argv) {
   using namespace app::cli;
-  CLI::App app{"Cathedra: learn to steer a catheter.\n"
-               "Start with:  cathedra demo   (then open http://127.0.0.1:8080)",
-               "cathedra"};
+  CLI::App app{
+      "Cathedra: learn to steer a catheter.\n"
+      "Start with:  cathedra demo   (then open http://127.0.0.1:8080)",
+      "cathedra"};
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("cathedra ") + ::app::kVersion);
   app.failure_message(CLI::FailureMessage::simple);

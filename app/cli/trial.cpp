@@ -33,7 +33,8 @@ ordered_json head_json(const database::StoredTrial& trial) {
           {"apparatus", trial.head.apparatus},
           {"device", trial.head.device},
           {"started_utc", trial.head.started_utc},
-          {"end_reason", trial.end_reason ? ordered_json(assessment::word(*trial.end_reason)) : nullptr},
+          {"end_reason",
+           trial.end_reason ? ordered_json(assessment::word(*trial.end_reason)) : nullptr},
           {"outcome", trial.outcome ? ordered_json(assessment::word(*trial.outcome)) : nullptr},
           {"voided", !trial.voided_utc.empty()},
           {"interrupted", trial.interrupted},
@@ -129,10 +130,10 @@ void write_trace(std::ostream& out, const assessment::RecordedTrial& trial) {
          "contact_load_n,contacts\n"
       << std::setprecision(9);
   for (const assessment::Sample& s : trial.samples) {
-    out << s.time << ',' << s.tip[0] << ',' << s.tip[1] << ',' << s.tip[2] << ','
-        << s.handle_axial << ',' << s.handle_rotation << ',' << s.inserted_length << ','
-        << s.handle_force << ',' << s.handle_torque << ',' << s.contact_force << ','
-        << s.contact_force_peak << ',' << s.contact_load << ',' << s.contact_count << '\n';
+    out << s.time << ',' << s.tip[0] << ',' << s.tip[1] << ',' << s.tip[2] << ',' << s.handle_axial
+        << ',' << s.handle_rotation << ',' << s.inserted_length << ',' << s.handle_force << ','
+        << s.handle_torque << ',' << s.contact_force << ',' << s.contact_force_peak << ','
+        << s.contact_load << ',' << s.contact_count << '\n';
   }
 }
 
@@ -151,7 +152,8 @@ void replay(const Options& options, Output& output) {
     std::ofstream file(options.csv);
     write_trace(file, *trial);
     file.close();
-    if (!file) return output.fail("could not write " + options.csv + "; is the folder there and writable?");
+    if (!file)
+      return output.fail("could not write " + options.csv + "; is the folder there and writable?");
   }
   ordered_json events = ordered_json::array();
   for (const assessment::Event& event : trial->events) {
@@ -195,7 +197,8 @@ void add_trial(CLI::App& app, Output& output) {
   add("list", "All trials", "cathedra trial list --exercise linear", false, list)
       ->add_option("--exercise", options->exercise, "Only of this exercise");
   add("show", "One trial: result, metrics, verdict", "cathedra trial show 0197...", true, show);
-  add("verify", "Replay the recorded inputs and compare every recorded state; exit code 1 when it differs",
+  add("verify",
+      "Replay the recorded inputs and compare every recorded state; exit code 1 when it differs",
       "cathedra trial verify 0197... --database sqlite:t.db", true, verify);
   add("replay", "Replay the recorded inputs and print what happened",
       "cathedra trial replay 0197... --csv trace.csv", true, replay)

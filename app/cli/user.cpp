@@ -137,30 +137,36 @@ void add_user(CLI::App& app, Output& output) {
     add_json_flag(*made, output);
     return made;
   };
-  CLI::App* add_command = command("add", "Add a person; the password is asked for, or read from a pipe",
-                                  "cathedra user add ines --role instructor --group 2026");
+  CLI::App* add_command =
+      command("add", "Add a person; the password is asked for, or read from a pipe",
+              "cathedra user add ines --role instructor --group 2026");
   add_command->add_option("name", options->name, "What the person signs in with")->required();
   add_command->add_option("--display-name", options->display_name, "What others see");
   add_command->add_option("--role", options->role, "What the person may do")
-      ->check(CLI::IsMember({"trainee", "instructor", "administrator", "researcher"}))->capture_default_str();
+      ->check(CLI::IsMember({"trainee", "instructor", "administrator", "researcher"}))
+      ->capture_default_str();
   add_command->add_option("--level", options->level, "Experience, as of today")
       ->check(CLI::IsMember({"novice", "intermediate", "expert"}));
   add_command->add_option("--group", options->groups, "Group; may be given more than once");
-  add_command->add_flag("--password-stdin", options->password_stdin, "Read the password from standard input");
+  add_command->add_flag("--password-stdin", options->password_stdin,
+                        "Read the password from standard input");
   add_command->callback([options, &output] { add(*options, output); });
 
   command("list", "Everyone", "cathedra user list --json")->callback([options, &output] {
     list(*options, output);
   });
-  CLI::App* disable = command("disable", "End a person's access; nothing is deleted", "cathedra user disable resident14");
+  CLI::App* disable = command("disable", "End a person's access; nothing is deleted",
+                              "cathedra user disable resident14");
   disable->add_option("name", options->name, "Who")->required();
   disable->callback([options, &output] { set_disabled(*options, true, output); });
   CLI::App* enable = command("enable", "Give access back", "cathedra user enable resident14");
   enable->add_option("name", options->name, "Who")->required();
   enable->callback([options, &output] { set_disabled(*options, false, output); });
-  CLI::App* reset_command = command("reset", "A new one-time set-up link for a locked-out administrator",
-                                    "cathedra user reset --database sqlite:data/site/cathedra.db");
-  reset_command->add_option("--url", options->url, "Where the server answers")->capture_default_str();
+  CLI::App* reset_command =
+      command("reset", "A new one-time set-up link for a locked-out administrator",
+              "cathedra user reset --database sqlite:data/site/cathedra.db");
+  reset_command->add_option("--url", options->url, "Where the server answers")
+      ->capture_default_str();
   reset_command->callback([options, &output] { reset(*options, output); });
 }
 

@@ -13,10 +13,10 @@ namespace {
 using namespace base::units;
 using curricula::Step;
 
-constexpr int kControlSteps = 10;           // the hand changes its mind 100 times a second
-constexpr double kWobbleTime = 0.4;         // s over which unwanted turning changes
-constexpr double kMaxFeed = 150.0;          // mm/s
-constexpr double kMaxTurn = 900.0_deg;      // rad/s
+constexpr int kControlSteps = 10;       // the hand changes its mind 100 times a second
+constexpr double kWobbleTime = 0.4;     // s over which unwanted turning changes
+constexpr double kMaxFeed = 150.0;      // mm/s
+constexpr double kMaxTurn = 900.0_deg;  // rad/s
 
 // Speed of a minimum-jerk movement of unit length and duration at phase u in [0, 1]
 // (Flash and Hogan 1985).
@@ -95,9 +95,7 @@ SimulatedOperator::SimulatedOperator(const Skill& skill, std::uint64_t seed, int
 }
 
 // 53 random bits: the same on every platform, unlike the distributions of the standard library.
-double SimulatedOperator::uniform() {
-  return static_cast<double>(random_() >> 11) * 0x1.0p-53;
-}
+double SimulatedOperator::uniform() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
 
 double SimulatedOperator::normal() {  // Box and Muller (1958)
   const double u = std::max(uniform(), 0x1.0p-53);
@@ -163,8 +161,7 @@ sim::HandleInput SimulatedOperator::next(const sim::Observation& seen,
   }
   if (phase < 0.0) return held_;  // hesitating
 
-  const double speed =
-      submovement_.distance / submovement_.duration * minimum_jerk_speed(phase);
+  const double speed = submovement_.distance / submovement_.duration * minimum_jerk_speed(phase);
   tremor_phase_ += 2.0 * std::numbers::pi * tremor_frequency_ * kControlSteps * sim::kStepLength;
   const double tremor = skill_.tremor * 2.0 * std::numbers::pi * tremor_frequency_ *
                         std::cos(tremor_phase_) * (1.0 + 0.3 * normal());

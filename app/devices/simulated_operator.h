@@ -18,19 +18,19 @@
 namespace app {
 
 struct Skill {
-  std::string name;               // expert | intermediate | novice
-  double feed_speed = 0.0;        // mm/s, mean over a submovement
-  double turn_speed = 0.0;        // rad/s, mean over a submovement
-  double stroke = 0.0;            // mm the hand moves before it takes a new grip
-  double turn_stroke = 0.0;       // rad likewise
-  double reaction = 0.0;          // s between seeing and moving
-  double scatter = 0.0;           // relative error of a submovement's length, one SD
-  double overshoot = 0.0;         // relative bias of the last submovement towards too far
-  double hesitation_rate = 0.0;   // 1/s of movement
-  double hesitation = 0.0;        // s, mean
-  double tremor = 0.0;            // mm, SD of the tremor's travel; turning: the same in degrees
-  double wobble = 0.0;            // rad/s, SD of unwanted turning while feeding
-  double learning = 0.0;          // exponent b of speed ~ trial^b, and of 1 / error
+  std::string name;              // expert | intermediate | novice
+  double feed_speed = 0.0;       // mm/s, mean over a submovement
+  double turn_speed = 0.0;       // rad/s, mean over a submovement
+  double stroke = 0.0;           // mm the hand moves before it takes a new grip
+  double turn_stroke = 0.0;      // rad likewise
+  double reaction = 0.0;         // s between seeing and moving
+  double scatter = 0.0;          // relative error of a submovement's length, one SD
+  double overshoot = 0.0;        // relative bias of the last submovement towards too far
+  double hesitation_rate = 0.0;  // 1/s of movement
+  double hesitation = 0.0;       // s, mean
+  double tremor = 0.0;           // mm, SD of the tremor's travel; turning: the same in degrees
+  double wobble = 0.0;           // rad/s, SD of unwanted turning while feeding
+  double learning = 0.0;         // exponent b of speed ~ trial^b, and of 1 / error
 };
 
 // Null when there is no such skill. Names: expert, intermediate, novice.
@@ -58,7 +58,7 @@ class SimulatedOperator final : public Operator {
   Skill skill_;
   std::mt19937_64 random_;
   int step_index_ = -1;
-  double busy_until_ = 0.0;   // s: reacting, hesitating or regripping until then
+  double busy_until_ = 0.0;  // s: reacting, hesitating or regripping until then
   bool moving_ = false;
   Submovement submovement_;
   double tremor_phase_ = 0.0;

@@ -16,12 +16,12 @@ using assessment::Severity;
 using curricula::Consequence;
 using curricula::Step;
 
-constexpr double kMovingFeed = 1.0;        // mm/s, above this the handle counts as moving
-constexpr double kMovingTurn = 5.0_deg;    // rad/s
-constexpr double kHitOn = 0.10;            // N, a wall hit begins
-constexpr double kHitOff = 0.05;           // N, and ends
-constexpr double kHitSpacing = 0.2;        // s between two hits
-constexpr std::size_t kMaxEvents = 4096;   // room reserved, so that observing rarely allocates
+constexpr double kMovingFeed = 1.0;       // mm/s, above this the handle counts as moving
+constexpr double kMovingTurn = 5.0_deg;   // rad/s
+constexpr double kHitOn = 0.10;           // N, a wall hit begins
+constexpr double kHitOff = 0.05;          // N, and ends
+constexpr double kHitSpacing = 0.2;       // s between two hits
+constexpr std::size_t kMaxEvents = 4096;  // room reserved, so that observing rarely allocates
 
 assessment::StepKind kind_of(const Step& step) {
   switch (step.kind) {

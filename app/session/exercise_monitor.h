@@ -14,7 +14,7 @@ namespace app {
 // A limit as the console shows it.
 struct LimitState {
   std::string metric;
-  double value = 0.0;   // so far
+  double value = 0.0;  // so far
   double bound = 0.0;
   curricula::Consequence on_breach = curricula::Consequence::mark;
   bool breached = false;
@@ -26,12 +26,12 @@ inline constexpr double kHoldTurnPerMm = 0.0174532925199433;  // rad, one degree
 
 // The task as the console shows it.
 struct TaskState {
-  int step_index = 0;          // into steps(); == steps().size() when all are done
-  double step_value = 0.0;     // handle position of the current step, mm or rad; hold: s held
-  double step_start = 0.0;     // the value when the step began
-  double held = 0.0;           // s within the tolerance so far
-  double elapsed = 0.0;        // s since the first handle motion, 0 before
-  bool started = false;        // the handle has moved
+  int step_index = 0;       // into steps(); == steps().size() when all are done
+  double step_value = 0.0;  // handle position of the current step, mm or rad; hold: s held
+  double step_start = 0.0;  // the value when the step began
+  double held = 0.0;        // s within the tolerance so far
+  double elapsed = 0.0;     // s since the first handle motion, 0 before
+  bool started = false;     // the handle has moved
   bool ended = false;
   assessment::EndReason end_reason = assessment::EndReason::aborted;
 };

@@ -24,11 +24,11 @@ using Seconds = std::chrono::duration<double>;
 constexpr auto kStep = std::chrono::milliseconds(1);
 constexpr auto kFrame = std::chrono::microseconds(16'667);
 constexpr auto kIdleFrame = std::chrono::milliseconds(250);
-constexpr int kStepsPerLook = 4;      // steps between two looks into the mailbox
-constexpr int kMaxBehind = 100;       // steps; beyond that simulated time slows down, and says so
-constexpr double kMaxFeed = 200.0;        // mm/s, as fast as a handle is moved
-constexpr double kMaxTurn = 1080.0_deg;   // rad/s
-constexpr int kMoveSteps = 16;            // steps over which a single move is spread
+constexpr int kStepsPerLook = 4;    // steps between two looks into the mailbox
+constexpr int kMaxBehind = 100;     // steps; beyond that simulated time slows down, and says so
+constexpr double kMaxFeed = 200.0;  // mm/s, as fast as a handle is moved
+constexpr double kMaxTurn = 1080.0_deg;  // rad/s
+constexpr int kMoveSteps = 16;           // steps over which a single move is spread
 
 // A displacement of the hand that is still to be made.
 struct PendingMove {
@@ -160,8 +160,8 @@ struct LiveTrial::Parts {
     frame_context.paused_for = wall.paused;
     frame_context.slowed_for = wall.slowed;
     ++frame_context.frame;
-    newest = std::make_shared<const std::vector<std::byte>>(
-        encode_frame(run, peaks, frame_context));
+    newest =
+        std::make_shared<const std::vector<std::byte>>(encode_frame(run, peaks, frame_context));
     frame_changed.notify_all();
   }
 
@@ -221,7 +221,7 @@ struct LiveTrial::Parts {
   }
 
   LiveTrialSetup setup;
-  TrialRun run;          // simulation thread until `simulated`, then the writer
+  TrialRun run;  // simulation thread until `simulated`, then the writer
   GaugePeaks peaks;
   WallTime wall;
   bool ever_resumed = false;

@@ -22,10 +22,10 @@ namespace app {
 
 // What the hand does now, until the next command.
 struct LiveCommand {
-  double feed = 0.0;   // mm/s held
-  double turn = 0.0;   // rad/s held
-  double move = 0.0;   // mm to add once (mouse drag), done as fast as the handle allows
-  double rotate = 0.0; // rad to add once
+  double feed = 0.0;    // mm/s held
+  double turn = 0.0;    // rad/s held
+  double move = 0.0;    // mm to add once (mouse drag), done as fast as the handle allows
+  double rotate = 0.0;  // rad to add once
 };
 
 struct LiveTrialSetup {
@@ -33,7 +33,7 @@ struct LiveTrialSetup {
   std::string person_id;
   std::shared_ptr<const Scene> scene;
   curricula::Exercise exercise;
-  std::string database_url;   // the writer opens its own connection
+  std::string database_url;  // the writer opens its own connection
 };
 
 class LiveTrial {
@@ -53,8 +53,8 @@ class LiveTrial {
   // Waits up to `timeout_ms` for a newer frame.
   bool wait_frame(std::uint64_t last, int timeout_ms) const;
 
-  bool ended() const;    // the simulation is over
-  bool filed() const;    // and metrics and verdict are in the database
+  bool ended() const;           // the simulation is over
+  bool filed() const;           // and metrics and verdict are in the database
   std::string failure() const;  // why it could not be filed, or empty
   const std::string& trial_id() const;
   const std::string& person_id() const;

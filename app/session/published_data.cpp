@@ -45,9 +45,9 @@ base::Result<std::vector<Row>> read_rows(const std::string& path) {
     std::getline(fields, trial, ',');
     std::getline(fields, seconds, ',');
     if (!parse_number(trial, row.trial) || !parse_number(seconds, row.seconds)) {
-      return base::Error{base::ErrorCode::corrupt_data,
-                         path + ":" + std::to_string(number) +
-                             ": expected task,group,participant,trial,seconds"};
+      return base::Error{
+          base::ErrorCode::corrupt_data,
+          path + ":" + std::to_string(number) + ": expected task,group,participant,trial,seconds"};
     }
     rows.push_back(row);
   }

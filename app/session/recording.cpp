@@ -34,10 +34,18 @@ T take(std::span<const std::byte>& in) {
 
 // The single-precision fields of a sample, in the order of the record.
 std::array<double*, 13> single_fields(assessment::Sample& s) {
-  return {&s.tip[0],           &s.tip[1],           &s.tip[2],
-          &s.tip_direction[0], &s.tip_direction[1], &s.tip_direction[2],
-          &s.inserted_length,  &s.handle_force,     &s.handle_torque,
-          &s.contact_force,    &s.contact_force_peak, &s.contact_load,
+  return {&s.tip[0],
+          &s.tip[1],
+          &s.tip[2],
+          &s.tip_direction[0],
+          &s.tip_direction[1],
+          &s.tip_direction[2],
+          &s.inserted_length,
+          &s.handle_force,
+          &s.handle_torque,
+          &s.contact_force,
+          &s.contact_force_peak,
+          &s.contact_load,
           &s.handle_force_peak};
 }
 

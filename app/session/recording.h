@@ -46,7 +46,8 @@ struct SecondHashes {
 };
 
 void write_input(std::vector<std::byte>& out, const InputChange& change);
-void write_sample(std::vector<std::byte>& out, std::uint32_t step, const assessment::Sample& sample);
+void write_sample(std::vector<std::byte>& out, std::uint32_t step,
+                  const assessment::Sample& sample);
 void write_hashes(std::vector<std::byte>& out, const SecondHashes& hashes);
 
 // The sample as it reads back from the record: what every metric is computed from, so that the

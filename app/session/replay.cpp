@@ -157,10 +157,9 @@ bool same_judgement(const Setting& setting, const TrialRun& run) {
     return false;
   }
   return std::all_of(judgement.metrics.begin(), judgement.metrics.end(), [&](const auto& metric) {
-    return std::any_of(setting.trial.metrics.begin(), setting.trial.metrics.end(),
-                       [&](const auto& stored) {
-                         return stored.id == metric.id && stored.value == metric.value;
-                       });
+    return std::any_of(
+        setting.trial.metrics.begin(), setting.trial.metrics.end(),
+        [&](const auto& stored) { return stored.id == metric.id && stored.value == metric.value; });
   });
 }
 
@@ -208,8 +207,7 @@ base::Result<Verification> verify_trial(database::Store& store, const std::strin
   play(run, RecordedOperator(readable_inputs(trace)), last_step_of(trace), progress);
   compare_seconds(trace, run.take_recorded(), result);
 
-  result.confirmed =
-      result.chunk.empty() && !result.first_second && same_judgement(*setting, run);
+  result.confirmed = result.chunk.empty() && !result.first_second && same_judgement(*setting, run);
   result.sentence = verdict_sentence(result, setting->trial.head.build);
   return result;
 }

@@ -13,12 +13,12 @@ namespace app {
 
 struct Verification {
   bool confirmed = false;
-  bool same_build = false;             // only the same build promises equality
-  std::string sentence;                // for the person who asked
-  std::string chunk;                   // "inputs 3": the first stored chunk that was changed
-  std::optional<int> first_second;     // the first second that differs, counted from 0
-  double largest_deviation_mm = 0.0;   // of the tip, between record and replay
-  int seconds = 0;                     // simulated seconds compared
+  bool same_build = false;            // only the same build promises equality
+  std::string sentence;               // for the person who asked
+  std::string chunk;                  // "inputs 3": the first stored chunk that was changed
+  std::optional<int> first_second;    // the first second that differs, counted from 0
+  double largest_deviation_mm = 0.0;  // of the tip, between record and replay
+  int seconds = 0;                    // simulated seconds compared
 };
 
 // `progress` gets 0..1; may be empty. Fails when the trial is unknown, has no trace, or its

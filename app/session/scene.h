@@ -2,9 +2,9 @@
 // takes a second or so, so that each is built once and shared by every trial in it.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
-#include <map>
 #include <string>
 
 #include "curricula/catalogue.h"
@@ -20,10 +20,10 @@ struct Scene {
   std::shared_ptr<const sim::Vessel> vessel;
   sim::Instrument instrument;
   std::string instrument_title;
-  double start_inserted = 0.0;         // mm
+  double start_inserted = 0.0;  // mm
   std::string anatomy_sha256, instruments_sha256;
 
-  sim::Scenario scenario() const;      // borrows from this Scene
+  sim::Scenario scenario() const;  // borrows from this Scene
 };
 
 sim::Instrument build_instrument(const curricula::InstrumentSpec& spec);

@@ -14,9 +14,9 @@ base::Result<SimulatedResult> run_simulated(database::Store& store, const Simula
                                             const std::function<bool(double)>& progress) {
   const auto skill = find_skill(trial.skill);
   if (!skill) {
-    return base::Error{base::ErrorCode::invalid_input,
-                       "there is no operator \"" + trial.skill +
-                           "\"; use expert, intermediate or novice"};
+    return base::Error{
+        base::ErrorCode::invalid_input,
+        "there is no operator \"" + trial.skill + "\"; use expert, intermediate or novice"};
   }
   TrialHead head;
   head.person_id = trial.person_id;
@@ -48,8 +48,7 @@ base::Result<SimulatedResult> run_simulated(database::Store& store, const Simula
   if (!judgement) return judgement.error();
   result.judgement = *std::move(judgement);
   result.end_reason = run.monitor().task().end_reason;
-  result.simulated_s =
-      static_cast<double>(run.world().observation().step) * sim::kStepLength;
+  result.simulated_s = static_cast<double>(run.world().observation().step) * sim::kStepLength;
   result.wall_s = wall.count();
   result.state_hash = run.state_hash();
   return result;

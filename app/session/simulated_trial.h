@@ -16,10 +16,10 @@ namespace app {
 struct SimulatedTrial {
   const curricula::Curriculum* curriculum = nullptr;
   const curricula::Exercise* exercise = nullptr;
-  std::string skill;        // expert | intermediate | novice
+  std::string skill;  // expert | intermediate | novice
   std::uint64_t seed = 0;
-  int practice = 1;         // 1: the operator's first trial; later ones are better
-  std::string person_id;    // under whom it is filed
+  int practice = 1;       // 1: the operator's first trial; later ones are better
+  std::string person_id;  // under whom it is filed
 };
 
 struct SimulatedResult {

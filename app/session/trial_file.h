@@ -17,9 +17,9 @@ namespace app {
 
 // How wall time and simulated time went apart while the trial ran.
 struct WallTime {
-  double paused = 0.0;          // s
-  double slowed = 0.0;          // s
-  double longest_pause = 0.0;   // s
+  double paused = 0.0;         // s
+  double slowed = 0.0;         // s
+  double longest_pause = 0.0;  // s
 };
 
 // A pause over 5 s, or simulated time slowed by over 2 %: shown, not counted for proficiency.
@@ -31,7 +31,7 @@ struct TrialHead {
   std::string curriculum_id;
   std::string exercise_id;
   assessment::Source source = assessment::Source::live;
-  std::string device;           // keyboard, simulated:expert, ...
+  std::string device;  // keyboard, simulated:expert, ...
   std::uint64_t seed = 0;
 };
 

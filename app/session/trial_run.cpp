@@ -15,7 +15,9 @@ std::array<double, 3> array_of(const sim::Vec3& v) { return {v.x(), v.y(), v.z()
 
 struct TrialRun::Parts {
   Parts(std::shared_ptr<const Scene> its_scene, const curricula::Exercise& exercise)
-      : scene(std::move(its_scene)), exercise_id(exercise.id), world(scene->scenario()),
+      : scene(std::move(its_scene)),
+        exercise_id(exercise.id),
+        world(scene->scenario()),
         monitor(exercise) {
     current.inputs.reserve(64 * 1024);
     current.observed.reserve(16 * 1024);
@@ -53,16 +55,15 @@ struct TrialRun::Parts {
     state.clear();
     world.append_state(state);
     last_state = hash_of(state);
-    write_hashes(current.hashes, {step_number(), last_state, hash_of(current.inputs),
-                                  hash_of(current.observed)});
+    write_hashes(current.hashes,
+                 {step_number(), last_state, hash_of(current.inputs), hash_of(current.observed)});
   }
 
   // Hands over the second that is complete, with the events that fell into it.
   void close_second() {
     hash_second();
     const auto& events = monitor.events();
-    current.events.assign(events.begin() + static_cast<std::ptrdiff_t>(events_taken),
-                          events.end());
+    current.events.assign(events.begin() + static_cast<std::ptrdiff_t>(events_taken), events.end());
     events_taken = events.size();
     all_inputs.insert(all_inputs.end(), current.inputs.begin(), current.inputs.end());
     const int next = current.seq + 1;

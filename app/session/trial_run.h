@@ -21,9 +21,9 @@ namespace app {
 // The recording of one simulated second (the last one may be shorter).
 struct RecordedSecond {
   int seq = 0;
-  std::vector<std::byte> inputs;     // codec "inputs/1"
-  std::vector<std::byte> observed;   // codec "observed/1"
-  std::vector<std::byte> hashes;     // codec "hashes/1"
+  std::vector<std::byte> inputs;    // codec "inputs/1"
+  std::vector<std::byte> observed;  // codec "observed/1"
+  std::vector<std::byte> hashes;    // codec "hashes/1"
   std::vector<assessment::Event> events;
 };
 
@@ -46,8 +46,8 @@ class TrialRun {
 
   // After the end.
   assessment::RecordedTrial recorded_trial() const;
-  std::string state_hash() const;     // BLAKE2b-256 over the final state, hex
-  std::string input_sha256() const;   // over all inputs, hex
+  std::string state_hash() const;    // BLAKE2b-256 over the final state, hex
+  std::string input_sha256() const;  // over all inputs, hex
 
  private:
   struct Parts;
