@@ -145,7 +145,9 @@ class CrossChecker {
         edges.push_back({draft.exercise.id, requirement.exercise, requirement.at, true});
       }
     }
+    std::set<std::string> blocks;
     for (const BlockDraft& draft : drafts_.blocks) {
+      if (!blocks.insert(draft.block.id).second) continue;  // reported already
       // blocks are nodes of their own, entered and left by different names, so that the graph
       // stays small and exercises of one block do not require each other
       const std::string entry = "before block " + draft.block.id;
@@ -157,8 +159,9 @@ class CrossChecker {
         edges.push_back({entry, "block " + draft.block.after, draft.after_node, true});
       }
       for (std::size_t i = 1; !draft.block.any_order && i < draft.exercises.size(); ++i) {
-        edges.push_back(
-            {draft.exercises[i].text, draft.exercises[i - 1].text, draft.exercises[i].node, true});
+        const Fields::Word& word = draft.exercises[i];
+        const std::string& before = draft.exercises[i - 1].text;
+        if (word.text != before) edges.push_back({word.text, before, word.node, true});
       }
     }
     return edges;
@@ -209,15 +212,16 @@ class CrossChecker {
     bool is_new = true;
     for (const Edge* edge : cycle) is_new = in_cycle_.insert(edge->from).second && is_new;
     if (!is_new) return;
-    const Edge* at = cycle.back();
+    const Edge* at = nullptr;  // the last of them in the file, most likely written last too
     std::string names;
     for (const Edge* edge : cycle) {
-      if (edge->is_choice) at = edge;
+      if (edge->is_choice && (!at || edge->at->begin > at->at->begin)) at = edge;
       if (edge->from.starts_with("before block ")) continue;  // says no more than the block's name
       names += "'" + edge->from + "' requires ";
     }
     const std::string& first = cycle.front()->from;
     const std::string last = first.starts_with("before ") ? first.substr(7) : first;
+    if (!at) return;  // where things stand alone makes no circle
     problems_.error(*at->at, "the prerequisites go in a circle (" + names + "'" + last +
                                  "'): take one of them out");
   }

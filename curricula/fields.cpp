@@ -124,8 +124,9 @@ std::optional<double> Fields::read_number(const YamlNode& value, std::string_vie
   if (error != std::errc{} || !all_read || !std::isfinite(number)) {
     const bool starts_as_number = error == std::errc{} && end != digits.data();
     problems_.error(value, name + " must be a number, but " + quoted(value.text) + " is not one: " +
-                               (starts_as_number ? "write the number alone, its unit is in the key"
-                                                 : "write it in digits, with a dot for decimals"));
+                               (starts_as_number && *end != ','
+                                    ? "write the number alone, its unit is in the key"
+                                    : "write it in digits, with a dot for decimals"));
     return {};
   }
   if (value.quoted) {

@@ -83,12 +83,13 @@ void read_feedback(const YamlNode& node, std::vector<std::string>& during,
 // Reads the scene, and how far the handle can go in it.
 Scene read_scene(const YamlNode& node, const Catalogue& catalogue, Reach& reach,
                  Problems& problems) {
+  const std::size_t problems_before = problems.count();
   Fields fields(node, "'scene'", problems);
   Scene scene;
   scene.anatomy = fields.need_word("anatomy");
   if (!scene.anatomy.empty()) {
     const auto* anatomy = find_entry(catalogue.anatomies, scene.anatomy);
-    if (anatomy) reach = {0.0, anatomy->length, "anatomy '" + anatomy->id + "'"};
+    if (anatomy) reach = {true, 0.0, anatomy->length, "anatomy '" + anatomy->id + "'"};
     if (!anatomy)
       report_unknown("anatomy", scene.anatomy, *fields.find("anatomy"), catalogue.anatomies,
                      problems);
@@ -98,8 +99,8 @@ Scene read_scene(const YamlNode& node, const Catalogue& catalogue, Reach& reach,
     const auto* instrument = find_entry(catalogue.instruments, word.text);
     if (!instrument)
       report_unknown("instrument", word.text, *word.node, catalogue.instruments, problems);
-    if (instrument && (reach.length == 0.0 || instrument->length < reach.length)) {
-      reach = {0.0, instrument->length, "instrument '" + instrument->id + "'"};
+    if (instrument && (!reach.known || instrument->length < reach.length)) {
+      reach = {true, 0.0, instrument->length, "instrument '" + instrument->id + "'"};
     }
     if (scene.instruments.size() == 1) {
       problems.error(*word.node,
@@ -109,7 +110,7 @@ Scene read_scene(const YamlNode& node, const Catalogue& catalogue, Reach& reach,
     scene.instruments.push_back(word.text);
   }
   scene.start = fields.number("start_mm", {0.0, 5000.0}).value_or(0.0);
-  if (reach.length > 0.0 && scene.start > reach.length) {
+  if (reach.known && scene.start > reach.length) {
     problems.error(*fields.find("start_mm"), "'start_mm' lies beyond the end of " + reach.shorter +
                                                  ": write a smaller number");
   }
@@ -118,6 +119,8 @@ Scene read_scene(const YamlNode& node, const Catalogue& catalogue, Reach& reach,
   scene.seed = static_cast<std::uint64_t>(fields.integer("seed", 0, kLargestSeed).value_or(0));
   fields.unavailable("access", "every anatomy of this version has one access: take 'access' out");
   fields.finish();
+  // a wrong start would make every target look wrong
+  reach.known = reach.known && problems.count() == problems_before;
   return scene;
 }
 

@@ -74,11 +74,13 @@ class StepReader {
     Step step;
     step.kind = Step::Kind::translate;
     step.id = read_id(fields);
-    step.target = fields.need_number("to_mm", {-5000.0, 5000.0});
+    const YamlNode* target = fields.need("to_mm");
+    const std::optional<double> to = fields.number("to_mm", {-5000.0, 5000.0});
+    step.target = to.value_or(0.0);
+    if (to && reach_.known) check_reach(step.target, *target);
     step.tolerance = fields.need_number("tolerance_mm", {0.0, 50.0, true});
     step.hold = fields.number("hold_s", {0.0, 60.0}).value_or(0.0);
     fields.finish();
-    if (const YamlNode* target = node.find("to_mm")) check_reach(step.target, *target);
     return step;
   }
 
@@ -89,7 +91,7 @@ class StepReader {
                               " mm outside the sheath: write at least " +
                               number_text(-reach_.start));
     }
-    if (reach_.length > 0.0 && inserted > reach_.length) {
+    if (inserted > reach_.length) {
       problems_.error(at, "this target needs " + number_text(inserted) + " mm, but " +
                               reach_.shorter + " is " + number_text(reach_.length) +
                               " mm long: write at most " +

@@ -83,7 +83,7 @@ class TreeBuilder : public YAML::EventHandler {
     refuse_tag(node, tag);
     refuse_anchor(node, anchor);
     node.text = value;
-    node.quoted = tag != "?";
+    node.quoted = tag == "!" && text_[std::min(node.begin, text_.size() - 1)] != '!';
     attach(std::move(node));
   }
 
@@ -177,6 +177,11 @@ class TreeBuilder : public YAML::EventHandler {
     } else if (!parent.key) {
       accept_key(parent, std::move(node));
     } else {
+      if (node.kind == YamlNode::Kind::null) {  // yaml-cpp places nothing at what comes next
+        node.line = parent.key->line;
+        node.column = parent.key->column;
+        node.begin = parent.key->begin;
+      }
       parent.node.entries.push_back({std::move(*parent.key), std::move(node)});
       parent.key.reset();
     }

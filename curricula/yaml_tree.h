@@ -50,6 +50,7 @@ class Problems {
   }
   void warning(const YamlNode& at, std::string message);
   bool any_error() const { return any_error_; }
+  std::size_t count() const { return list_.size() + dropped_; }
   std::vector<Problem> sorted() &&;  // in the order of their lines
 
  private:
