@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "sim/base/require.h"
 #include "sim/dynamics/rod_contact_force.h"
@@ -19,6 +20,15 @@ constexpr double kRemovalSlack = 0.25;     // of an edge, so that a trembling ha
 double smooth_ramp(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
+}
+
+Vec3 point_along(std::span<const Vec3> path, double distance) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const double length = (path[i + 1] - path[i]).norm();
+    if (distance <= length) return path[i] + distance / length * (path[i + 1] - path[i]);
+    distance -= length;
+  }
+  throw std::invalid_argument("the start path is shorter than what is inserted");
 }
 
 RodMesh mesh_for(const Instrument& instrument, const RodSettings& settings) {
@@ -49,7 +59,8 @@ const Instrument& checked(const Instrument& instrument, const Access& access, do
 class RodInstrument::Implementation {
  public:
   Implementation(const Instrument& instrument, const Access& access, const Wall* wall,
-                 double start_inserted, const RodSettings& settings)
+                 double start_inserted, const RodSettings& settings,
+                 std::span<const Vec3> start_path)
       : access_(access),
         settings_(settings),
         solver_(mesh_for(checked(instrument, access, start_inserted, settings), settings), settings,
@@ -59,8 +70,13 @@ class RodInstrument::Implementation {
     nodes_.resize(capacity);
     forces_.resize(capacity);
     tip_forces_.resize(capacity);
-    place_in_sheath();
-    feed_to(start_inserted);
+    if (start_path.empty()) {
+      place(0.0, {});
+      feed_to(start_inserted);
+    } else {
+      place(start_inserted, start_path);
+      feed_to(0.0);
+    }
   }
 
   RodStatus step(double handle_axial, double handle_rotation) {
@@ -92,13 +108,15 @@ class RodInstrument::Implementation {
   std::size_t base() const { return solver_.node_count() - 1; }
   double arc(std::size_t node) const { return solver_.mesh().arc[node]; }
 
-  // Straight along the sheath, the tip at its mouth.
-  void place_in_sheath() {
+  // In the sheath and, beyond the access, along the path.
+  void place(double inserted_length, std::span<const Vec3> path) {
     std::size_t count = 1;
-    while (arc(count - 1) < settings_.sheath_length) ++count;
+    while (arc(count - 1) < settings_.sheath_length + inserted_length) ++count;
     std::vector<Vec3> nodes;
     for (std::size_t i = 0; i < count; ++i) {
-      nodes.push_back(access_.position - arc(i) * access_.direction);
+      const double beyond = inserted_length - arc(i);
+      nodes.push_back(beyond > 0.0 ? point_along(path, beyond)
+                                   : Vec3(access_.position + beyond * access_.direction));
     }
     solver_.place(nodes, access_.up);
     base_axial_ = base_place();
@@ -202,9 +220,10 @@ class RodInstrument::Implementation {
 };
 
 RodInstrument::RodInstrument(const Instrument& instrument, const Access& access, const Wall* wall,
-                             double start_inserted, const RodSettings& settings)
-    : implementation_(
-          std::make_unique<Implementation>(instrument, access, wall, start_inserted, settings)) {}
+                             double start_inserted, const RodSettings& settings,
+                             std::span<const Vec3> start_path)
+    : implementation_(std::make_unique<Implementation>(instrument, access, wall, start_inserted,
+                                                       settings, start_path)) {}
 
 RodInstrument::~RodInstrument() = default;
 RodInstrument::RodInstrument(RodInstrument&&) noexcept = default;

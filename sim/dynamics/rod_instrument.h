@@ -27,12 +27,15 @@ namespace sim {
 
 class RodInstrument {
  public:
-  // Starts at rest with `start_inserted` mm beyond the access: pushed there from the mouth, so
-  // that it lies in the vessel as it would. `wall` may be null (free space) and must outlive this.
-  // Throws std::invalid_argument for an impossible instrument, frame or length, or when the start
-  // cannot be reached.
+  // Starts at rest with `start_inserted` mm beyond the access. Without a path it is pushed there
+  // from the mouth, so that it lies in the vessel as it would; with one (points along the lumen
+  // from the access, mm, at least start_inserted long) it is laid along that and left to relax,
+  // which is quicker. `wall` may be null (free space) and must outlive this. Throws
+  // std::invalid_argument for an impossible instrument, frame or length, or when the start cannot
+  // be reached.
   RodInstrument(const Instrument& instrument, const Access& access, const Wall* wall,
-                double start_inserted, const RodSettings& settings = {});
+                double start_inserted, const RodSettings& settings = {},
+                std::span<const Vec3> start_path = {});
   ~RodInstrument();
   RodInstrument(RodInstrument&&) noexcept;
   RodInstrument& operator=(RodInstrument&&) noexcept;

@@ -14,7 +14,6 @@ namespace {
 constexpr double kTorqueWeight = 0.45;    // 1/mm: how a torque counts against the tolerance
 constexpr double kSlowConvergence = 0.7;  // less progress than this twice: damp
 constexpr double kMaxTurn = 1.0;          // rad of any edge in one iteration
-constexpr double kImpossibleMove = 50.0;  // mm in one step: something has broken
 
 }  // namespace
 
@@ -305,7 +304,7 @@ void RodSolver::finish_step() {
     reference -= reference.dot(tangent) * tangent;
     if (i + 1 < count) state_.reference.set(i, reference / reference.norm());
   }
-  if (farthest > kImpossibleMove * kImpossibleMove) residual_norm_ = HUGE_VAL;
+  if (farthest > settings_.impossible_move * settings_.impossible_move) residual_norm_ = HUGE_VAL;
   contact_.store_bristles(state_);
   std::fill_n(motion_.begin(), 4 * count, 0.0);
 }

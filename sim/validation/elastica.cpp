@@ -1,0 +1,120 @@
+#include "sim/validation/elastica.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace sim::validation {
+namespace {
+
+constexpr int kIntervals = 4000;  // of the Runge-Kutta integration; error far below 1e-9
+
+using State = std::array<double, 4>;  // theta, moment, x, y
+
+template <typename Slope>
+State runge_kutta(const State& y, double s, double h, const Slope& slope) {
+  const auto shifted = [&y](const State& k, double factor) {
+    State result = y;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += factor * k[i];
+    return result;
+  };
+  const State k1 = slope(s, y);
+  const State k2 = slope(s + 0.5 * h, shifted(k1, 0.5 * h));
+  const State k3 = slope(s + 0.5 * h, shifted(k2, 0.5 * h));
+  const State k4 = slope(s + h, shifted(k3, h));
+  State result = y;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+  }
+  return result;
+}
+
+struct Shot {
+  State end{};
+  double lowest_y = 0.0;
+  double highest_y = 0.0;
+  bool unloaded_early = false;  // the moment changed sign before the end
+};
+
+Shot shoot(double length, double bending_stiffness, double force, double clamp_moment,
+           const std::function<double(double)>& rest_curvature) {
+  const auto slope = [&](double s, const State& y) {
+    return State{rest_curvature(s) + y[1] / bending_stiffness, -force * std::cos(y[0]),
+                 std::cos(y[0]), std::sin(y[0])};
+  };
+  Shot shot;
+  shot.end = {0.0, clamp_moment, 0.0, 0.0};
+  const double h = length / kIntervals;
+  for (int i = 0; i < kIntervals; ++i) {
+    shot.end = runge_kutta(shot.end, i * h, h, slope);
+    shot.lowest_y = std::min(shot.lowest_y, shot.end[3]);
+    shot.highest_y = std::max(shot.highest_y, shot.end[3]);
+    if (shot.end[1] < 0.0) shot.unloaded_early = true;
+  }
+  return shot;
+}
+
+Elastica elastica(const Shot& shot) {
+  return {.x = shot.end[2],
+          .y = shot.end[3],
+          .angle = shot.end[0],
+          .lowest_y = shot.lowest_y,
+          .highest_y = shot.highest_y};
+}
+
+}  // namespace
+
+Elastica loaded_cantilever(double length, double bending_stiffness, double load) {
+  const auto straight = [](double) { return 0.0; };
+  // From ((theta')^2)/2 + P/EI sin(theta) = const: the moment at the clamp is below
+  // sqrt(2 P EI), and the larger it is the later the moment vanishes. Bisect on that.
+  double low = 0.0;
+  double high = std::sqrt(2.0 * load * bending_stiffness);
+  high = std::min(high, load * length * (1.0 + 1e-9));
+  for (int i = 0; i < 100 && high > low; ++i) {
+    const double middle = 0.5 * (low + high);
+    const bool early = shoot(length, bending_stiffness, load, middle, straight).unloaded_early;
+    (early ? low : high) = middle;
+  }
+  return elastica(shoot(length, bending_stiffness, load, 0.5 * (low + high), straight));
+}
+
+Elastica curved_cantilever(double length, double bending_stiffness, double force,
+                           const std::function<double(double)>& rest_curvature) {
+  // the moment at the clamp is F x(end): iterate with the secant method on M(end) = 0
+  double previous = 0.0;
+  Shot shot = shoot(length, bending_stiffness, force, previous, rest_curvature);
+  double previous_error = shot.end[1];
+  double moment = -previous_error;
+  for (int i = 0; i < 60; ++i) {
+    shot = shoot(length, bending_stiffness, force, moment, rest_curvature);
+    const double error = shot.end[1];
+    if (std::abs(error) < 1e-13 * (1.0 + std::abs(force) * length) || error == previous_error) {
+      break;
+    }
+    const double next = moment - error * (moment - previous) / (error - previous_error);
+    previous = moment;
+    previous_error = error;
+    moment = next;
+  }
+  return elastica(shot);
+}
+
+// With the modulus k = sin(half the angle at the end): P = (2 K / pi)^2 P_Euler, end distance
+// L (2 E / K - 1), middle deflection L k / K (Love, Treatise on Elasticity, art. 263).
+BuckledRod buckled_rod(double shortening) {
+  double low = 0.0;
+  double high = 0.99;
+  for (int i = 0; i < 200; ++i) {
+    const double k = 0.5 * (low + high);
+    const double shortened = 2.0 - 2.0 * std::comp_ellint_2(k) / std::comp_ellint_1(k);
+    (shortened < shortening ? low : high) = k;
+  }
+  const double k = 0.5 * (low + high);
+  const double complete = std::comp_ellint_1(k);
+  const double ratio = 2.0 * complete / std::numbers::pi;
+  return {.load_ratio = ratio * ratio, .deflection_ratio = k / complete};
+}
+
+}  // namespace sim::validation

@@ -1,0 +1,39 @@
+// The planar elastica: a thin rod that bends but neither stretches nor shears, of any deflection.
+// Solved as the ordinary differential equation of the continuum, by Runge-Kutta and shooting: an
+// answer that has nothing in common with the rod solver.
+//
+//   theta' = kappa_0(s) + M / EI,   M' = -F cos(theta),   x' = cos(theta),   y' = sin(theta)
+//
+// clamped along x at s = 0, a force F along +y at s = length, where M = 0.
+#pragma once
+
+#include <functional>
+
+namespace sim::validation {
+
+struct Elastica {
+  double x = 0.0;          // mm, of the end
+  double y = 0.0;          // mm
+  double angle = 0.0;      // rad, of the end
+  double lowest_y = 0.0;   // mm, of any point
+  double highest_y = 0.0;  // mm
+};
+
+// A straight cantilever under a dead load P along +y at its end (Bisshopp and Drucker 1945):
+// the equilibrium that grows from the unloaded one, any P >= 0.
+Elastica loaded_cantilever(double length, double bending_stiffness, double load);
+
+// A cantilever with the rest curvature `rest_curvature(s)` (1/mm, s from the clamp) under the end
+// force F along +y. Newton's method on the moment at the clamp; for moderate loads.
+Elastica curved_cantilever(double length, double bending_stiffness, double force,
+                           const std::function<double(double)>& rest_curvature);
+
+// Buckled rod with pinned ends, shortened to (1 - shortening) of its length: its end force over
+// Euler's pi^2 EI / L^2, and the deflection of its middle over L. 0 < shortening < 0.5.
+struct BuckledRod {
+  double load_ratio = 0.0;
+  double deflection_ratio = 0.0;
+};
+BuckledRod buckled_rod(double shortening);
+
+}  // namespace sim::validation
