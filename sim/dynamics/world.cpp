@@ -12,6 +12,11 @@
 namespace sim {
 namespace {
 
+// mm that can be inserted: the instrument ends, or the vessel does.
+double reach(const Scenario& scenario) {
+  return std::min(scenario.instrument->length, scenario.vessel->centreline.back().arc_length);
+}
+
 const Scenario& checked(const Scenario& scenario) {
   base::require(scenario.vessel != nullptr && scenario.vessel->wall != nullptr,
                 "a scenario needs a vessel with a wall");
@@ -19,12 +24,9 @@ const Scenario& checked(const Scenario& scenario) {
   base::require(scenario.vessel->centreline.size() >= 2, "a vessel needs a centreline");
   base::require(std::isfinite(scenario.start_inserted) && scenario.start_inserted >= 0.0,
                 "a trial cannot start with less than nothing inserted");
+  base::require(scenario.start_inserted <= reach(scenario),
+                "a trial cannot start beyond the end of the instrument or the vessel");
   return scenario;
-}
-
-// mm that can be inserted: the instrument ends, or the vessel does.
-double reach(const Scenario& scenario) {
-  return std::min(scenario.instrument->length, scenario.vessel->centreline.back().arc_length);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -46,13 +48,12 @@ class World::Dynamics : private BulletParts, public btDiscreteDynamicsWorld {
  public:
   explicit Dynamics(const Scenario& scenario)
       : btDiscreteDynamicsWorld(&dispatcher, &broad_phase, &constraint_solver, &configuration),
-        rod_(*checked(scenario).instrument, scenario.vessel->access, scenario.vessel->wall.get(),
+        rod_(*scenario.instrument, scenario.vessel->access, scenario.vessel->wall.get(),
              scenario.start_inserted),
         start_inserted_(scenario.start_inserted),
         reach_(reach(scenario)) {
-    base::require(start_inserted_ <= reach_,
-                  "a trial cannot start beyond the end of the instrument or the vessel");
     setGravity(btVector3(0.0, 0.0, 0.0));  // what is in the blood floats
+    move_rigid_bodies(kStepLength);        // Bullet sizes its buffers the first time
     observe();
   }
 
@@ -139,7 +140,7 @@ class World::Dynamics : private BulletParts, public btDiscreteDynamicsWorld {
   StepProfile profile_;
 };
 
-World::World(const Scenario& scenario) : dynamics_(std::make_unique<Dynamics>(scenario)) {}
+World::World(const Scenario& scenario) : dynamics_(std::make_unique<Dynamics>(checked(scenario))) {}
 World::~World() = default;
 
 StepStatus World::step(const HandleInput& input) { return dynamics_->step(input); }
