@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/server/secrets.h"
+#include "app/session/recording.h"
 #include "app/session/vessel_glb.h"
 
 namespace app {
@@ -18,7 +18,7 @@ base::Result<std::shared_ptr<const EncodedMesh>> MeshCache::mesh(const std::stri
   const auto glb = encode_glb((*vessel)->surface);
   auto encoded = std::make_shared<EncodedMesh>();
   encoded->bytes.assign(reinterpret_cast<const char*>(glb.data()), glb.size());
-  encoded->tag = "\"" + sha256_hex(encoded->bytes).substr(0, 32) + "\"";
+  encoded->tag = "\"" + sha256_hex(glb).substr(0, 32) + "\"";
 
   const std::lock_guard lock(mutex_);
   return meshes_.emplace(anatomy_id, std::move(encoded)).first->second;

@@ -5,8 +5,8 @@
 
 namespace app {
 
-std::string new_token();  // 256 random bits, URL-safe
-std::string sha256_hex(const std::string& bytes);
+std::string new_token();                                              // 256 random bits, URL-safe
+std::string token_hash(const std::string& token);                     // SHA-256, hex
 bool same_secret(const std::string& left, const std::string& right);  // in constant time
 
 }  // namespace app

@@ -35,7 +35,7 @@ double seconds_since(const std::string& utc) {
 base::Result<BegunSession> begin_session(database::Store& store, const std::string& person_id) {
   BegunSession begun{new_token(), new_token()};
   const std::string now = database::utc_now();
-  const auto added = database::add_web_session(store, sha256_hex(begun.token),
+  const auto added = database::add_web_session(store, token_hash(begun.token),
                                                {person_id, begun.csrf_token, now, now});
   if (!added) return added.error();
   return begun;
@@ -47,7 +47,7 @@ base::Result<std::optional<Viewer>> viewer_of(database::Store& store, const Requ
   const std::string token = request.cookie(cookie_name(rules));
   if (token.empty()) return nobody;
 
-  const std::string hash = sha256_hex(token);
+  const std::string hash = token_hash(token);
   const auto session = database::web_session(store, hash);
   if (!session) {
     if (session.error().code == base::ErrorCode::not_found) return nobody;

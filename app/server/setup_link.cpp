@@ -71,7 +71,7 @@ base::Result<std::string> let_in_again(database::Store& store, const database::P
 
 base::Result<std::string> make_setup_token(database::Store& store) {
   std::string token = new_token();
-  const auto added = database::add_setup_token(store, sha256_hex(token), utc_in(kGoodFor));
+  const auto added = database::add_setup_token(store, token_hash(token), utc_in(kGoodFor));
   if (!added) return added.error();
   return token;
 }
@@ -92,7 +92,7 @@ base::Result<std::string> use_setup_link(database::Store& store, const std::stri
   const auto existing = administrator(store, name);
   if (!existing) return existing.error();
 
-  const auto used = database::use_setup_token(store, sha256_hex(token));
+  const auto used = database::use_setup_token(store, token_hash(token));
   if (!used) return used.error();
   if (!*used) {
     return refuse(

@@ -5,12 +5,14 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 
 #include "app/server/problem.h"
 #include "app/server/secrets.h"
 #include "app/server/security_headers.h"
+#include "app/session/recording.h"
 
 namespace app {
 namespace {
@@ -94,7 +96,7 @@ Response file_response(const Request& request, const fs::path& file) {
   if (!bytes) return problem(404, "not_found", "This file cannot be read.");
   Response response;
   response.type = mime_type(file);
-  const std::string tag = "\"" + sha256_hex(*bytes).substr(0, 32) + "\"";
+  const std::string tag = "\"" + sha256_hex(std::as_bytes(std::span(*bytes))).substr(0, 32) + "\"";
   response.headers.emplace_back("ETag", tag);
   // names under /assets/ change with their content
   response.headers.emplace_back("Cache-Control", request.path.starts_with("/assets/")

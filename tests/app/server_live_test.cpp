@@ -1,0 +1,370 @@
+// The live channel, with a real trial behind it.
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>  // Boost 1.74 under C++20 needs it first
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include "database/trials.h"
+#include "tests/app/server_fixture.h"
+
+namespace app::test {
+namespace {
+
+namespace beast = boost::beast;
+namespace net = boost::asio;
+namespace websocket = beast::websocket;
+using tcp = net::ip::tcp;
+
+// Positions in a frame, from x-frame in app/wire/wire.schema.yaml.
+constexpr std::size_t kFlagsAt = 6, kStepAt = 12, kAxialAt = 44;
+constexpr std::uint32_t kMagic = 0x46544143;
+constexpr unsigned kPaused = 1;
+
+template <class T>
+T read_at(const std::string& bytes, std::size_t at) {
+  T value{};
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+// A browser's end of the channel.
+class Channel {
+ public:
+  // The status of the handshake: 101 when it is open.
+  int open(std::uint16_t port, const std::string& trial, const std::string& cookie,
+           std::optional<std::string> origin = std::nullopt) {
+    socket_.next_layer().connect({net::ip::address_v4::loopback(), port});
+    const timeval limit{20, 0};
+    setsockopt(socket_.next_layer().native_handle(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+    const std::string host = "127.0.0.1:" + std::to_string(port);
+    socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
+      request.set(beast::http::field::origin, origin.value_or("http://" + host));
+      if (origin && origin->empty()) request.erase(beast::http::field::origin);
+      if (!cookie.empty()) request.set(beast::http::field::cookie, cookie);
+    }));
+    websocket::response_type answer;
+    beast::error_code failed;
+    socket_.handshake(answer, host, "/api/live/" + trial, failed);
+    return answer.result_int();
+  }
+
+  void send(const std::string& text) {
+    socket_.text(true);
+    beast::error_code ignored;  // a closed channel shows when reading
+    socket_.write(net::buffer(text), ignored);
+  }
+  void send(const nlohmann::json& message) { send(message.dump()); }
+
+  // The next message, frame or notice; nothing when the channel is closed.
+  std::optional<std::string> next() {
+    beast::flat_buffer buffer;
+    beast::error_code failed;
+    socket_.read(buffer, failed);
+    if (failed) return std::nullopt;
+    return beast::buffers_to_string(buffer.data());
+  }
+  bool got_frame() const { return socket_.got_binary(); }
+
+  std::string frame() {
+    for (auto message = next(); message; message = next()) {
+      if (got_frame()) return *message;
+    }
+    return {};
+  }
+  // The first frame that fulfils the condition; empty when the channel closes before or it takes
+  // more than ten seconds.
+  std::string frame_where(const std::function<bool(const std::string&)>& wanted) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (std::chrono::steady_clock::now() < until) {
+      std::string frame = this->frame();
+      if (frame.empty() || wanted(frame)) return frame;
+    }
+    return {};
+  }
+  nlohmann::json notice() {
+    for (auto message = next(); message; message = next()) {
+      if (!got_frame()) return nlohmann::json::parse(*message);
+    }
+    return nullptr;
+  }
+  bool closes() {
+    while (next()) {
+    }
+    return true;
+  }
+
+  void close() {
+    beast::error_code ignored;
+    socket_.close(websocket::close_code::normal, ignored);
+  }
+  // As when the cable is pulled, but told by the operating system.
+  void drop() { socket_.next_layer().close(); }
+
+ private:
+  net::io_context io_;
+  websocket::stream<tcp::socket> socket_{io_};
+};
+
+bool is_paused(const std::string& frame) {
+  return (read_at<std::uint16_t>(frame, kFlagsAt) & kPaused) != 0;
+}
+
+// One server for all: its vessel takes a while to build.
+class Live : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { running_ = std::make_unique<RunningServer>(); }
+  static void TearDownTestSuite() { running_.reset(); }
+
+  void TearDown() override {
+    if (trial_.empty()) return;
+    Channel channel;
+    if (channel.open(port(), trial_, client_.cookie) != 101) return;
+    for (int tries = 0; tries < 50; ++tries) {  // the test's own channel may still hold the wheel
+      channel.send({{"type", "end"}});
+      const nlohmann::json notice = channel.notice();
+      if (!notice.is_object() || notice["type"] == "filed") return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  static std::uint16_t port() { return running_->server.port(); }
+
+  void begin(const std::string& name = "ann") {
+    client_ = running_->client_of(name);
+    const Answer answer =
+        client_.post("/api/trials", {{"exercise_id", "linear"}, {"device", "keyboard"}});
+    ASSERT_EQ(answer.status, 201) << answer.body;
+    trial_ = answer.json()["trial_id"];
+  }
+
+  static std::unique_ptr<RunningServer> running_;
+  Client client_{0};
+  std::string trial_;
+};
+std::unique_ptr<RunningServer> Live::running_;
+
+TEST_F(Live, WithoutSessionOrFromAnotherOriginNobodyGetsIn) {
+  begin();
+  EXPECT_EQ(Channel().open(port(), trial_, ""), 401);
+  EXPECT_EQ(Channel().open(port(), trial_, "cathedra=forged"), 401);
+  EXPECT_EQ(Channel().open(port(), trial_, client_.cookie, "http://evil.example"), 403);
+  EXPECT_EQ(Channel().open(port(), trial_, client_.cookie, "null"), 403);
+  EXPECT_EQ(Channel().open(port(), trial_, client_.cookie, ""), 403);
+  EXPECT_EQ(Channel().open(port(), "none", client_.cookie), 404);
+  EXPECT_EQ(Channel().open(port(), trial_, running_->client_of("ben").cookie), 403);
+  EXPECT_EQ(Channel().open(port(), trial_, client_.cookie), 101);
+}
+
+TEST_F(Live, APlainRequestIsToldToUpgrade) {
+  begin();
+  EXPECT_EQ(client_.get("/api/live/" + trial_).status, 426);
+}
+
+TEST_F(Live, OnePersonRunsOneTrialAndFindsItAgain) {
+  begin();
+  const Answer second =
+      client_.post("/api/trials", {{"exercise_id", "linear"}, {"device", "keyboard"}});
+  EXPECT_EQ(second.status, 409);
+  const Answer mine = client_.get("/api/live/mine");
+  ASSERT_EQ(mine.status, 200);
+  EXPECT_EQ(mine.json()["trial"]["trial_id"], trial_);
+  EXPECT_EQ(mine.json()["trial"]["briefing"]["exercise_id"], "linear");
+  EXPECT_EQ(running_->client_of("ben").get("/api/live/mine").json()["trial"], nullptr);
+}
+
+TEST_F(Live, UnknownExercisesAndDevicesAreRefused) {
+  Client client = running_->client_of("ann");
+  EXPECT_EQ(client.post("/api/trials", {{"exercise_id", "none"}, {"device", "keyboard"}}).status,
+            404);
+  EXPECT_EQ(client.post("/api/trials", {{"exercise_id", "linear"}, {"device", "<b>"}}).status, 400);
+  EXPECT_EQ(client.post("/api/trials", {{"exercise_id", "linear"}, {"device", ""}}).status, 400);
+}
+
+TEST_F(Live, TheTrialStartsPausedAndTheHandleMovesTheInstrument) {
+  begin();
+  Channel channel;
+  ASSERT_EQ(channel.open(port(), trial_, client_.cookie), 101);
+  const std::string first = channel.frame();
+  ASSERT_GE(first.size(), 104U);
+  EXPECT_EQ(read_at<std::uint32_t>(first, 0), kMagic);
+  EXPECT_TRUE(is_paused(first));
+  EXPECT_EQ(read_at<std::uint32_t>(first, kStepAt), 0U);
+
+  channel.send({{"type", "resume"}});
+  channel.send({{"type", "handle"}, {"feed_mm_s", 20.0}, {"turn_deg_s", 0.0}});
+  const std::string moved = channel.frame_where(
+      [](const std::string& frame) { return read_at<float>(frame, kAxialAt) > 1.0F; });
+  ASSERT_FALSE(moved.empty());
+  // the hand cannot be faster than it was told: 20 mm/s is 0.02 mm a step
+  EXPECT_LE(read_at<float>(moved, kAxialAt),
+            0.02F * static_cast<float>(read_at<std::uint32_t>(moved, kStepAt)) + 0.01F);
+}
+
+TEST_F(Live, PingsAreAnswered) {
+  begin();
+  Channel channel;
+  ASSERT_EQ(channel.open(port(), trial_, client_.cookie), 101);
+  channel.send({{"type", "ping"}, {"sent_ms", 12345.5}});
+  const nlohmann::json pong = channel.notice();
+  EXPECT_EQ(pong["type"], "pong");
+  EXPECT_EQ(pong["sent_ms"], 12345.5);
+}
+
+TEST_F(Live, MalformedMessagesAreNamedAndTheTenthClosesTheDoor) {
+  begin();
+  Channel channel;
+  ASSERT_EQ(channel.open(port(), trial_, client_.cookie), 101);
+  const std::string malformed[] = {"{", "[]", "{\"type\":\"fly\"}", "{\"type\":\"handle\"}",
+                                   "{\"type\":\"handle\",\"feed_mm_s\":1e9,\"turn_deg_s\":0}"};
+  for (int i = 0; i < 10; ++i) {
+    channel.send(malformed[i % 5]);
+    const nlohmann::json notice = channel.notice();
+    ASSERT_EQ(notice.value("type", ""), "error") << i;
+    EXPECT_FALSE(notice.value("message", "").empty());
+  }
+  EXPECT_TRUE(channel.closes());
+  EXPECT_EQ(running_->client().get("/api/health").status, 200);
+}
+
+TEST_F(Live, AMessageOver4KiBClosesTheDoor) {
+  begin();
+  Channel channel;
+  ASSERT_EQ(channel.open(port(), trial_, client_.cookie), 101);
+  channel.send("{\"type\":\"pause\"" + std::string(5000, ' ') + "}");
+  EXPECT_TRUE(channel.closes());
+}
+
+TEST_F(Live, ASecondTabWatchesButDoesNotSteer) {
+  begin();
+  Channel first, second;
+  ASSERT_EQ(first.open(port(), trial_, client_.cookie), 101);
+  ASSERT_FALSE(first.frame().empty());
+  ASSERT_EQ(second.open(port(), trial_, client_.cookie), 101);
+  EXPECT_EQ(second.notice()["type"], "second_tab");
+  second.send({{"type", "resume"}});
+  EXPECT_EQ(second.notice()["type"], "second_tab");
+  EXPECT_TRUE(is_paused(second.frame()));
+
+  // when the first is gone, the second may go on
+  first.close();
+  std::string running;
+  for (int tries = 0; tries < 50 && (running.empty() || is_paused(running)); ++tries) {
+    second.send({{"type", "resume"}});
+    running = second.frame();
+  }
+  EXPECT_FALSE(is_paused(running));
+}
+
+TEST_F(Live, ALostConnectionPausesAndReconnectingResumes) {
+  begin();
+  auto channel = std::make_unique<Channel>();
+  ASSERT_EQ(channel->open(port(), trial_, client_.cookie), 101);
+  channel->send({{"type", "resume"}});
+  ASSERT_FALSE(channel->frame_where([](const std::string& f) { return !is_paused(f); }).empty());
+  channel->drop();
+
+  Channel again;
+  ASSERT_EQ(again.open(port(), trial_, client_.cookie), 101);
+  const std::string paused = again.frame_where(is_paused);
+  ASSERT_FALSE(paused.empty());
+  const auto step = read_at<std::uint32_t>(paused, kStepAt);
+  std::string later;
+  for (int tries = 0; tries < 100; ++tries) {
+    again.send({{"type", "resume"}});
+    later = again.frame();
+    if (later.empty() || read_at<std::uint32_t>(later, kStepAt) > step) break;
+  }
+  ASSERT_FALSE(later.empty());
+  EXPECT_GT(read_at<std::uint32_t>(later, kStepAt), step);
+}
+
+TEST_F(Live, EndingFilesTheTrialAsAborted) {
+  begin();
+  Channel channel;
+  ASSERT_EQ(channel.open(port(), trial_, client_.cookie), 101);
+  EXPECT_EQ(client_.get("/api/trials/" + trial_).status, 409);  // no debrief while it runs
+  channel.send({{"type", "resume"}});
+  ASSERT_FALSE(channel.frame_where([](const std::string& f) { return !is_paused(f); }).empty());
+  channel.send({{"type", "end"}});
+  const nlohmann::json filed = channel.notice();
+  EXPECT_EQ(filed["type"], "filed");
+  EXPECT_EQ(filed["trial_id"], trial_);
+  const Answer debrief = client_.get("/api/trials/" + trial_);
+  ASSERT_EQ(debrief.status, 200) << debrief.body;
+  EXPECT_EQ(debrief.json()["trial"]["end_reason"], "aborted");
+  EXPECT_EQ(debrief.json()["trial"]["source"], "live");
+  EXPECT_EQ(debrief.json()["trial"]["device"], "keyboard");
+  EXPECT_EQ(client_.get("/api/live/mine").json()["trial"], nullptr);
+}
+
+TEST_F(Live, TheInstructorWatchesButDoesNotSteer) {
+  begin();
+  Channel watcher;
+  ASSERT_EQ(watcher.open(port(), trial_, running_->client_of("ina").cookie), 101);
+  EXPECT_FALSE(watcher.frame().empty());
+  watcher.send({{"type", "end"}});
+  EXPECT_EQ(watcher.notice()["type"], "error");
+  // the wheel is still free for the person whose trial it is
+  Channel own;
+  ASSERT_EQ(own.open(port(), trial_, client_.cookie), 101);
+  own.send({{"type", "resume"}});
+  EXPECT_FALSE(own.frame_where([](const std::string& f) { return !is_paused(f); }).empty());
+}
+
+TEST(LiveServer, StoppingTheServerFilesTheRunningTrial) {
+  RunningServer running;
+  Client client = running.client_of("ann");
+  const Answer begun =
+      client.post("/api/trials", {{"exercise_id", "linear"}, {"device", "keyboard"}});
+  ASSERT_EQ(begun.status, 201) << begun.body;
+  running.server.stop();
+  const auto trial = database::trial(running.workplace.store(), begun.json()["trial_id"]);
+  ASSERT_TRUE(trial);
+  EXPECT_EQ(trial->end_reason, assessment::EndReason::aborted);
+}
+
+TEST(LiveServer, ATrialNobodySteersIsFiledAfterAWhile) {
+  RunningServer running([](ServerOptions& options) { options.abandon_live_after_s = 0.2; });
+  Client client = running.client_of("ann");
+  const Answer begun =
+      client.post("/api/trials", {{"exercise_id", "linear"}, {"device", "keyboard"}});
+  ASSERT_EQ(begun.status, 201) << begun.body;
+  for (int i = 0; i < 100; ++i) {
+    if (client.get("/api/live/mine").json()["trial"].is_null()) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  const auto trial = database::trial(running.workplace.store(), begun.json()["trial_id"]);
+  ASSERT_TRUE(trial);
+  EXPECT_EQ(trial->end_reason, assessment::EndReason::aborted);
+}
+
+TEST(LiveServer, ATrialCutOffByAKilledServerIsFiledAtTheNextStart) {
+  Workplace workplace;
+  database::NewTrial trial;
+  trial.id = workplace.add_trial("ann");  // shows what a row needs
+  const auto finished = database::trial(workplace.store(), trial.id);
+  ASSERT_TRUE(finished);
+  trial = finished->head;
+  trial.id = database::new_id();
+  ASSERT_TRUE(database::begin_trial(workplace.store(), trial));
+
+  Server server(workplace.options(), workplace.library());
+  ASSERT_TRUE(server.start());
+  const auto closed = database::trial(workplace.store(), trial.id);
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed->end_reason, assessment::EndReason::aborted);
+}
+
+}  // namespace
+}  // namespace app::test
