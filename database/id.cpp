@@ -5,12 +5,16 @@
 #include <sodium.h>
 
 #include "database/store.h"
+#include "sim/base/require.h"
 
 namespace database {
 
 // RFC 9562, 5.7: 48 bits of Unix time in ms, then random bits around version and variant. Keys
 // made later sort later, so new rows go to the end of an index.
 std::string new_id() {
+  // more threads than one may come here first
+  static const bool ready = sodium_init() >= 0;
+  base::require(ready, "libsodium must be usable");
   std::array<std::uint8_t, 16> bytes{};
   randombytes_buf(bytes.data(), bytes.size());
   const auto now = std::chrono::system_clock::now().time_since_epoch();

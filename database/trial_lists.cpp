@@ -1,4 +1,5 @@
 // Lists of trials: one query for the trials, one for their metrics, however many there are.
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -70,22 +71,28 @@ void receive(soci::statement& statement, Row& row) {
   }
 }
 
+// An empty text stands for null.
 template <typename Word>
-std::optional<Word> optional_word(const std::string& text) {
+bool parse_optional(const std::string& text, std::optional<Word>& value) {
   using assessment::parse;
-  Word value{};
-  if (text.empty() || !parse(text, value)) return std::nullopt;
-  return value;
+  Word parsed{};
+  value.reset();
+  if (text.empty()) return true;
+  if (!parse(text, parsed)) return false;
+  value = parsed;
+  return true;
 }
 
-StoredTrial trial_of(const Row& row) {
+base::Result<StoredTrial> trial_of(const Row& row) {
   StoredTrial trial = row.trial;
   trial.head.seed = std::stoull(row.seed);
-  assessment::parse(row.source, trial.head.source);
-  trial.end_reason = optional_word<assessment::EndReason>(row.end_reason);
-  trial.outcome = optional_word<assessment::Outcome>(row.outcome);
-  trial.level = optional_word<Level>(row.level);
   trial.interrupted = row.interrupted != 0;
+  if (!assessment::parse(row.source, trial.head.source)) return unknown_word("source", row.source);
+  if (!parse_optional(row.end_reason, trial.end_reason)) {
+    return unknown_word("end of a trial", row.end_reason);
+  }
+  if (!parse_optional(row.outcome, trial.outcome)) return unknown_word("outcome", row.outcome);
+  if (!parse_optional(row.level, trial.level)) return unknown_word("level", row.level);
   return trial;
 }
 
@@ -119,14 +126,19 @@ void add_metrics(soci::session& sql, const TrialSelection& selection,
 
 }  // namespace
 
-std::vector<StoredTrial> load_trials(soci::session& sql, const TrialSelection& selection) {
+base::Result<std::vector<StoredTrial>> load_trials(soci::session& sql,
+                                                   const TrialSelection& selection) {
   std::vector<StoredTrial> trials;
   Row row;
   soci::statement select(sql);
   bind(select, selection);
   receive(select, row);
   run(select, kColumns + where(selection) + " ORDER BY t.person_id, t.exercise_id, t.ordinal");
-  while (select.fetch()) trials.push_back(trial_of(row));
+  while (select.fetch()) {
+    base::Result<StoredTrial> trial = trial_of(row);
+    if (!trial) return trial.error();
+    trials.push_back(*std::move(trial));
+  }
   if (selection.with_metrics) add_metrics(sql, selection, trials);
   return trials;
 }
@@ -145,9 +157,7 @@ base::Result<std::vector<StoredTrial>> trials(Store& store, const TrialFilter& f
   add("dataset", "dataset", filter.dataset);
   if (filter.source) add("source", "source", assessment::word(*filter.source));
   if (filter.finished_only) selection.conditions.push_back("t.ended_utc IS NOT NULL");
-  return reading(store, [&](soci::session& sql) -> base::Result<std::vector<StoredTrial>> {
-    return load_trials(sql, selection);
-  });
+  return reading(store, [&](soci::session& sql) { return load_trials(sql, selection); });
 }
 
 base::Result<std::vector<TrialCount>> trial_counts(Store& store) {

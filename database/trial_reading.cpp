@@ -9,11 +9,6 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-Error damaged(const char* what, const std::string& text) {
-  return {ErrorCode::corrupt_data, std::string("The database holds an unknown ") + what + ", \"" +
-                                       text + "\"; was it written by a newer program?"};
-}
-
 base::Result<std::vector<assessment::Criterion>> load_criteria(soci::session& sql,
                                                                const std::string& trial_id,
                                                                int score_ordinal) {
@@ -33,7 +28,7 @@ base::Result<std::vector<assessment::Criterion>> load_criteria(soci::session& sq
   select.execute();
   while (select.fetch()) {
     if (!assessment::parse(comparison, criterion.comparison)) {
-      return damaged("comparison", comparison);
+      return unknown_word("comparison", comparison);
     }
     criterion.value.reset();
     if (has_value == soci::i_ok) criterion.value = value;
@@ -57,7 +52,7 @@ base::Result<std::vector<assessment::Event>> load_events(soci::session& sql,
        soci::into(event.detail), soci::into(event.value, has_value));
   select.execute();
   while (select.fetch()) {
-    if (!assessment::parse(severity, event.severity)) return damaged("severity", severity);
+    if (!assessment::parse(severity, event.severity)) return unknown_word("severity", severity);
     if (has_value == soci::i_null) event.value = std::numeric_limits<double>::quiet_NaN();
     events.push_back(event);
   }
@@ -78,7 +73,7 @@ base::Result<std::vector<assessment::TrialStep>> load_steps(soci::session& sql,
        soci::into(step.residual));
   select.execute();
   while (select.fetch()) {
-    if (!assessment::parse(kind, step.kind)) return damaged("kind of step", kind);
+    if (!assessment::parse(kind, step.kind)) return unknown_word("kind of step", kind);
     if (ended == soci::i_null) step.ended = assessment::TrialStep().ended;
     steps.push_back(step);
   }
@@ -95,7 +90,7 @@ base::Result<assessment::Verdict> load_verdict(soci::session& sql, const std::st
   if (!sql.got_data()) {
     return Error{ErrorCode::not_found, "This trial has not been judged."};
   }
-  if (!assessment::parse(outcome, verdict.outcome)) return damaged("outcome", outcome);
+  if (!assessment::parse(outcome, verdict.outcome)) return unknown_word("outcome", outcome);
   auto criteria = load_criteria(sql, trial_id, ordinal);
   if (!criteria) return criteria.error();
   verdict.criteria = *std::move(criteria);
@@ -105,6 +100,11 @@ base::Result<assessment::Verdict> load_verdict(soci::session& sql, const std::st
 }  // namespace
 
 base::Error unknown_trial() { return {ErrorCode::not_found, "There is no such trial."}; }
+
+base::Error unknown_word(const char* what, const std::string& text) {
+  return {ErrorCode::corrupt_data, std::string("The database holds an unknown ") + what + ", \"" +
+                                       text + "\"; was it written by a newer program?"};
+}
 
 base::Status check_exists(soci::session& sql, const std::string& trial_id) {
   int count = 0;
@@ -127,9 +127,10 @@ base::Result<StoredTrial> trial(Store& store, const std::string& trial_id) {
   selection.conditions = {"t.id = :id"};
   selection.parameters = {{"id", trial_id}};
   return reading(store, [&](soci::session& sql) -> base::Result<StoredTrial> {
-    std::vector<StoredTrial> found = load_trials(sql, selection);
-    if (found.empty()) return unknown_trial();
-    return std::move(found.front());
+    const base::Result<std::vector<StoredTrial>> found = load_trials(sql, selection);
+    if (!found) return found.error();
+    if (found->empty()) return unknown_trial();
+    return found->front();
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <soci/soci.h>
@@ -13,6 +14,8 @@
 namespace database {
 
 base::Error unknown_trial();
+// corrupt_data: the row holds a word this program does not know.
+base::Error unknown_word(const char* what, const std::string& text);
 
 // not_found when it does not exist, conflict when it has ended.
 base::Status check_running(soci::session& sql, const std::string& trial_id);
@@ -34,13 +37,15 @@ void insert_metrics(soci::session& sql, const std::string& trial_id,
 void insert_score(soci::session& sql, const std::string& trial_id, const std::string& rule_version,
                   const assessment::Verdict& verdict);
 
-// Trials with level and, where wanted, metrics; by person, exercise, ordinal.
+// Which trials, and what of them. The conditions are joined by AND.
 struct TrialSelection {
   std::vector<std::string> conditions;                          // on t (trial)
   std::vector<std::pair<std::string, std::string>> parameters;  // name, value
   bool with_metrics = true;
   std::string only_metric;
 };
-std::vector<StoredTrial> load_trials(soci::session& sql, const TrialSelection& selection);
+// Trials with level and, where wanted, metrics; by person, exercise, ordinal.
+base::Result<std::vector<StoredTrial>> load_trials(soci::session& sql,
+                                                   const TrialSelection& selection);
 
 }  // namespace database

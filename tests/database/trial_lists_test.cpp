@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 #include <gtest/gtest.h>
 
@@ -113,6 +113,16 @@ TEST_F(TrialLists, ShowTheLevelOfTheTimeOfTheTrial) {
   EXPECT_EQ((*all)[2].level, Level::expert);
 }
 
+TEST_F(TrialLists, NameAWordThatANewerProgramMayHaveWritten) {
+  const std::string id = add(anna_, "linear", 1.0);
+  RawFile(folder_.file("store.db")).run("UPDATE trial SET end_reason = 'evaporated'");
+  const auto all = trials(*store_, {});
+  ASSERT_FALSE(all);
+  EXPECT_EQ(all.error().code, base::ErrorCode::corrupt_data);
+  EXPECT_NE(all.error().message.find("evaporated"), std::string::npos);
+  EXPECT_EQ(database::trial(*store_, id).error().code, base::ErrorCode::corrupt_data);
+}
+
 TEST_F(TrialLists, CountWhatEachPersonHasDone) {
   add(anna_, "linear", 1.0, "2026-05-05T00:00:00Z");
   ASSERT_TRUE(void_trial(*store_, add(anna_, "linear", 2.0, "2026-05-06T00:00:00Z"), "cat", "x"));
@@ -135,13 +145,14 @@ TEST_F(TrialLists, CountWhatEachPersonHasDone) {
   }
 }
 
-// 500 people with 400 trials each, made by SQLite itself: that takes a second, not minutes.
+// 500 people with 400 trials each, with keys as long as real ones, made by SQLite itself: that
+// takes seconds, not minutes.
 void fill_large(const std::string& path) {
   RawFile file(path);
   file.run(
-      "BEGIN;"
+      "PRAGMA synchronous = OFF; PRAGMA cache_size = -500000; BEGIN;"
       "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 500) "
-      "INSERT INTO person SELECT printf('person-%03d', i), 'live', '2025-01-01T00:00:00.000Z' "
+      "INSERT INTO person SELECT printf('person-%029d', i), 'live', '2025-01-01T00:00:00.000Z' "
       "FROM n;"
       "INSERT INTO identity SELECT id, 'name of ' || id, id, NULL, '', 'trainee', 0, '' "
       "FROM person WHERE id LIKE 'person-%';"
@@ -151,7 +162,7 @@ void fill_large(const std::string& path) {
       "INSERT INTO experience SELECT id, 1, 'novice', 0, created_utc, 'system' FROM person "
       "WHERE id LIKE 'person-%';"
       "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 400) "
-      "INSERT INTO trial SELECT printf('%s-%04d', p.id, i), p.id, NULL, "
+      "INSERT INTO trial SELECT printf('%04d-', i) || substr(p.id, 6), p.id, NULL, "
       "CASE i % 2 WHEN 0 THEN 'linear' ELSE 'rotational' END, NULL, i, 'live', '', 'cathedra', "
       "'keyboard', '1', 'b', 'x', '', '', '', '', '2026-01-01T00:00:00.000Z', "
       "'2026-01-01T00:01:00.000Z', 'completed', 60.0, 0.0, 0.0, 0, 'passed', NULL, NULL, NULL "
@@ -161,20 +172,26 @@ void fill_large(const std::string& path) {
       "COMMIT; ANALYZE;");
 }
 
+// Processor time of this thread, in which SQLite also runs: what the store needs, whatever else
+// the machine does at the moment.
+double processor_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
 template <typename Work>
 double shortest_of_five_ms(Work work) {
   double shortest = 1e9;
   for (int i = 0; i < 5; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_ms();
     work();
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    shortest = std::min(shortest, took.count());
+    shortest = std::min(shortest, processor_ms() - start);
   }
   return shortest;
 }
 
-// A page is answered within 200 ms (overview, "Numbers that matter"). The shortest of five says
-// what the store needs, whatever else the machine does.
+// A page is answered within 200 ms (overview, "Numbers that matter").
 TEST_F(TrialLists, OfALargeSiteAreThereWithin200Milliseconds) {
   fill_large(folder_.file("store.db"));
   const double list_ms = shortest_of_five_ms([&] {
@@ -182,7 +199,7 @@ TEST_F(TrialLists, OfALargeSiteAreThereWithin200Milliseconds) {
     EXPECT_EQ(trial_counts(*store_)->size(), 1000u);
   });
   TrialFilter filter;
-  filter.person_id = "person-250";
+  filter.person_id = "person-" + std::string(26, '0') + "250";
   const double person_ms =
       shortest_of_five_ms([&] { EXPECT_EQ(trials(*store_, filter)->size(), 400u); });
   RecordProperty("people_and_counts_ms", std::to_string(list_ms));
