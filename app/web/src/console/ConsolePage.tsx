@@ -141,7 +141,8 @@ function Console({begun}: {begun: BegunTrial}) {
       <div className={styles.right}>
         <TaskPanel briefing={briefing} frame={frame} done_s={snapshot.done_s} />
         <InstrumentPanel
-          instrument={briefing.instrument} inserted_mm={frame.inserted_mm} rotation_deg={frame.handle_rotation_deg} gauges={gauges}
+          store={trial.store} instrument={briefing.instrument} inserted_mm={frame.inserted_mm}
+          rotation_deg={frame.handle_rotation_deg} gauges={gauges}
         />
       </div>
       <KeyLegend />

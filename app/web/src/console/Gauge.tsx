@@ -20,6 +20,7 @@ export function Gauge({name, unit, reading, bipolar = false, testId}: Props) {
   const digits = digitsFor(unit);
   const word = unitWord(unit);
   const place = (at: number) => (bipolar ? (at + scale) / (2 * scale) : at / scale);
+  const endDigits = scale % 1 === 0 ? 0 : 1;
   const from = Math.min(place(0), place(value));
   const size = limit === null ? Math.abs(value) : Number(fixedAgainst(Math.abs(value), limit, digits));
   const shown = bipolar ? signedFixed(Math.sign(value) * size, digits) : fixed(size, digits);
@@ -34,10 +35,6 @@ export function Gauge({name, unit, reading, bipolar = false, testId}: Props) {
         </span>
       </div>
       <div className={styles.scale} role="img" aria-label={label}>
-        <div className={styles.above}>
-          <LevelWord level={level} />
-          {limit === null && <span className={styles.unlimited}>no limit here</span>}
-        </div>
         <div className={styles.track}>
           {limit !== null && <Beyond from={place(limit)} to={1} />}
           {limit !== null && bipolar && <Beyond from={0} to={place(-limit)} />}
@@ -48,9 +45,9 @@ export function Gauge({name, unit, reading, bipolar = false, testId}: Props) {
           <Peak at={place(peak)} text={`peak ${limit === null ? fixed(peak, digits) : fixedAgainst(peak, limit, digits)}`} />
         </div>
         <div className={styles.below}>
-          <span style={{left: 0}}>{bipolar ? fixed(-scale, scale < 10 ? 1 : 0) : '0'}</span>
+          <span className={styles.starting}>{bipolar ? fixed(-scale, endDigits) : '0'}<LevelWord level={level} /></span>
           {bipolar && <span className={styles.centred} style={{left: '50%'}}>0</span>}
-          {limit === null && <span className={styles.ending}>{fixed(scale, scale < 10 ? 1 : 0)}</span>}
+          {limit === null && <span className={styles.ending}>no limit · {fixed(scale, endDigits)}</span>}
           {limit !== null && (
             <span className={`${styles.centred} ${styles.limitWord}`} style={{left: percent(place(limit))}}>
               limit {bipolar && '±'}{fixed(limit, limit % 1 === 0 ? 0 : 1)} {word}

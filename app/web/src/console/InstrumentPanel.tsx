@@ -1,11 +1,14 @@
 import {Icon} from '../parts/Icon';
 import type {InstrumentInfo} from '../wire/types';
+import {ForceTrace} from './ForceTrace';
 import {Gauge} from './Gauge';
 import styles from './InstrumentPanel.module.css';
 import {fixed, signedFixed} from './readings';
 import type {Gauges} from './trial_gauges';
+import type {TrialStore} from './trial_store';
 
 interface Props {
+  store: TrialStore;
   instrument: InstrumentInfo;
   inserted_mm: number;
   rotation_deg: number;
@@ -15,7 +18,7 @@ interface Props {
 const kindWords: Record<InstrumentInfo['kind'], string> = {guidewire: 'Guidewire', catheter: 'Catheter'};
 
 /** What the hand holds, and what it feels. */
-export function InstrumentPanel({instrument, inserted_mm, rotation_deg, gauges}: Props) {
+export function InstrumentPanel({store, instrument, inserted_mm, rotation_deg, gauges}: Props) {
   return (
     <section className={styles.panel} aria-label="Instrument">
       <header className={styles.head}>
@@ -39,6 +42,7 @@ export function InstrumentPanel({instrument, inserted_mm, rotation_deg, gauges}:
           <Gauge name="Push force" unit="N" reading={gauges.push} bipolar testId="handle-force" />
           <Gauge name="Torque" unit="N mm" reading={gauges.torque} bipolar testId="handle-torque" />
         </div>
+        <ForceTrace store={store} limit_n={gauges.contact.limit} scale_n={gauges.contact.scale} />
         <p className={styles.note}>Simulated force; limits are training values, not clinical.</p>
       </div>
     </section>

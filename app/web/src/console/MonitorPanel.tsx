@@ -56,10 +56,7 @@ export function MonitorPanel({trial, briefing, alarm, contact, settings, onSetti
         {side}
         <div className={styles.picture}>
           <div ref={attach} className={styles.host} role="img" aria-label={`3-D view of ${briefing.anatomy_title} with the instrument`} {...orbit} />
-          <RingLegend full_n={fullForce(briefing)} limited={contact.limit !== null} />
-          <p className={styles.thickness}>
-            {thickness > 1.05 ? `Instrument drawn ${fixed(thickness, 1)} × as thick as it is` : 'Instrument drawn in true size'}
-          </p>
+          <RingLegend full_n={fullForce(briefing)} limited={contact.limit !== null} thickness={thickness} />
           <ForceBar contact={contact} />
           {problem && (
             <div className={styles.problem} role="alert">
@@ -74,7 +71,7 @@ export function MonitorPanel({trial, briefing, alarm, contact, settings, onSetti
   );
 }
 
-function RingLegend({full_n, limited}: {full_n: number; limited: boolean}) {
+function RingLegend({full_n, limited, thickness}: {full_n: number; limited: boolean; thickness: number}) {
   const samples = [0.05, 0.4, 1].map((part) => ({part, force: part * full_n}));
   const classes = [styles.sand, styles.orange, styles.red];
   return (
@@ -86,6 +83,7 @@ function RingLegend({full_n, limited}: {full_n: number; limited: boolean}) {
           {fixed(force, 1)}{part === 1 && (limited ? ' N limit' : ' N')}
         </span>
       ))}
+      <span>{thickness > 1.05 ? `Instrument ${fixed(thickness, 1)} × thicker than life` : 'Instrument in true size'}</span>
     </div>
   );
 }

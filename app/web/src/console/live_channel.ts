@@ -21,6 +21,7 @@ export interface ChannelListener {
 }
 
 const pingInterval_ms = 1000;
+const openingLimit_ms = 5000;   // a connection that takes longer is given up and tried anew
 const silenceLimit_ms = 4000;   // no pong and no frame for so long: the line is dead
 const retryDelays_ms = [250, 500, 1000, 2000, 4000];
 const handover_ms = 15_000;     // how long the server may still believe in our own lost line
@@ -29,6 +30,7 @@ export class LiveChannel {
   private socket: WebSocket | null = null;
   private retries = 0;
   private retryTimer: ReturnType<typeof setTimeout> | undefined;
+  private openingTimer: ReturnType<typeof setTimeout> | undefined;
   private pingTimer: ReturnType<typeof setInterval> | undefined;
   private heard_ms = 0;
   private lost_ms = -Infinity;
@@ -50,6 +52,7 @@ export class LiveChannel {
     socket.onmessage = (event: MessageEvent<ArrayBuffer | string>) => this.received(event.data);
     socket.onclose = () => this.dropped();
     this.socket = socket;
+    this.openingTimer = setTimeout(() => this.dropped(), openingLimit_ms);
   }
 
   /** Closes for good. */
@@ -68,12 +71,13 @@ export class LiveChannel {
   }
 
   private send(message: ClientMessage): boolean {
-    if (this.socket?.readyState !== WebSocket.OPEN || this.state !== 'open') return false;
+    if (this.socket?.readyState !== WebSocket.OPEN) return false;
     this.socket.send(JSON.stringify(message));
     return true;
   }
 
   private opened(): void {
+    clearTimeout(this.openingTimer);
     this.heard_ms = performance.now();
     this.enter('open');
     this.ping();
@@ -118,13 +122,17 @@ export class LiveChannel {
   // Right after a lost line the other "tab" is our own old connection: try again until it is gone.
   private refusedAsSecond(): void {
     const ownGhost = performance.now() - this.lost_ms < handover_ms;
-    this.abandon();
-    if (ownGhost) this.retryLater();
-    else this.enter('second_tab');
+    if (ownGhost) {
+      this.abandon();
+      this.enter('lost');
+      this.retryLater();
+    } else {
+      this.enter('second_tab');  // and keeps watching
+    }
   }
 
   private dropped(): void {
-    const wasOpen = this.state === 'open';
+    const wasOpen = this.state === 'open' || this.state === 'second_tab';
     this.abandon();
     if (wasOpen) this.lost_ms = performance.now();
     this.enter(wasOpen || this.lost_ms > -Infinity ? 'lost' : 'connecting');
@@ -144,7 +152,7 @@ export class LiveChannel {
     } catch {
       // no answer at all: the network or the server is away, so wait
     }
-    if (this.state === 'closed' || this.state === 'second_tab' || this.socket) return;
+    if (this.state === 'closed' || this.socket) return;
     if (found) this.enter(found);
     else this.retryLater();
   }
@@ -158,6 +166,7 @@ export class LiveChannel {
 
   private abandon(): void {
     clearTimeout(this.retryTimer);
+    clearTimeout(this.openingTimer);
     clearInterval(this.pingTimer);
     const socket = this.socket;
     this.socket = null;

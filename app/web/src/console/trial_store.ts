@@ -97,7 +97,7 @@ export class TrialStore {
     this.change({
       frame,
       filed: this.snapshot.filed || frame.filed,
-      interrupted: this.snapshot.interrupted && frame.paused,
+      interrupted: this.snapshot.interrupted && (frame.paused || this.snapshot.connection !== 'open'),
       done_s: doneTimes(this.snapshot, frame),
     });
   }

@@ -3,9 +3,10 @@ import type {Frame} from '../../wire/frame';
 import {NodeInterpolation} from './interpolation';
 
 // nodes on the x axis, without force
+let step = 0;
 function frameOf(...x_mm: number[]): Frame {
   const nodes = new Float32Array(x_mm.flatMap((x) => [x, 0, 0, 0]));
-  return {node_count: x_mm.length, nodes} as Frame;
+  return {step: ++step, node_count: x_mm.length, nodes} as Frame;
 }
 const xs = (between: NodeInterpolation) => Array.from({length: between.count}, (_, i) => between.nodes[i * 4]);
 
@@ -43,5 +44,14 @@ describe('the picture between two frames', () => {
     between.push(frameOf(0, 2, 4), 1000 / 60);
     between.sample(1000 / 60);
     expect(xs(between)).toEqual([1, 3, 5]);
+  });
+
+  it('rests while the simulation stands still', () => {
+    const between = new NodeInterpolation();
+    const frame = frameOf(0, 2, 4);
+    between.push(frame, 0);
+    between.sample(100);
+    between.push({...frame, frame: 2}, 200);
+    expect(between.sample(300)).toBe(false);
   });
 });

@@ -16,6 +16,7 @@ export class NodeInterpolation {
   private shown = -1;
 
   push(frame: Frame, now_ms: number): void {
+    if (this.last?.step === frame.step) return;  // the simulation stands still
     if (this.last) {
       const gap = Math.min(longestInterval_ms, Math.max(1, now_ms - this.arrived_ms));
       this.interval_ms += 0.1 * (gap - this.interval_ms);

@@ -63,13 +63,18 @@ export class MonitorScene {
   private ratio: number;
   private thickness = 1;
 
+  /** How many triangles the machine draws fluently. */
+  readonly mostTriangles: number;
+
   /** Throws when the browser has no WebGL 2. `thickened` hears how much thicker than life the instrument is drawn. */
   constructor(
     private readonly host: HTMLElement,
     private readonly instrument: SceneInstrument,
     private readonly thickened: (factor: number) => void,
   ) {
-    this.renderer = new WebGLRenderer({antialias: !drawsInSoftware(), powerPreference: 'high-performance'});
+    const software = drawsInSoftware();
+    this.mostTriangles = software ? 14_000 : 600_000;
+    this.renderer = new WebGLRenderer({antialias: !software, powerPreference: 'high-performance'});
     this.ratio = pixelRatios.find((ratio) => ratio <= window.devicePixelRatio) ?? 1;
     this.renderer.autoClear = false;
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
@@ -287,7 +292,7 @@ export class MonitorScene {
     const width = Math.max(1, this.host.clientWidth);
     const height = Math.max(1, this.host.clientHeight);
     this.size = {width, height};
-    const size = Math.round(Math.max(120, Math.min(240, 0.32 * Math.min(width, height))));
+    const size = Math.round(Math.max(140, Math.min(320, 0.4 * Math.min(width, height))));
     this.inset = {left: width - size - 12, top: height - size - 12, size};
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(width, height, false);

@@ -11,7 +11,7 @@ export const instrumentColour = rgb('#cfdbe6');
 export const tipColour = rgb('#ffffff');
 export const wallColour = rgb('#a9777a');
 export const wallEdgeColour = rgb('#d49a97');
-export const wallInsideColour = rgb('#3a2528');
+export const wallInsideColour = rgb('#4c3033');
 export const sheathColour = rgb('#6d7885');
 
 const sand = rgb('#d9c58f');

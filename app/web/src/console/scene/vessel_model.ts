@@ -1,9 +1,10 @@
 // The vessel as one looks into it: the far wall dark and nearly solid, the near wall a breath with
 // a bright outline. Loaded once per trial.
 import {
-  BackSide, type BufferGeometry, FrontSide, GLSL3, Group, Mesh, type Object3D, ShaderMaterial, Vector3,
+  BackSide, BufferAttribute, BufferGeometry, FrontSide, GLSL3, Group, Mesh, type Object3D, ShaderMaterial, Vector3,
 } from 'three';
 import {GLTFLoader} from 'three/examples/jsm/loaders/GLTFLoader.js';
+import {thinned} from './mesh_thinning';
 import {type Rgb, wallColour, wallEdgeColour, wallInsideColour} from './palette';
 
 const vertexShader = `
@@ -39,8 +40,8 @@ interface Look {
   sharpness: number;
 }
 
-const farWall: Look = {face: wallInsideColour, edge: wallColour, opacity: [0.85, 0.7], sharpness: 2};
-const nearWall: Look = {face: wallColour, edge: wallEdgeColour, opacity: [0.07, 0.85], sharpness: 2.4};
+const farWall: Look = {face: wallInsideColour, edge: wallColour, opacity: [0.92, 0.75], sharpness: 1.6};
+const nearWall: Look = {face: wallColour, edge: wallEdgeColour, opacity: [0.1, 0.95], sharpness: 2.2};
 
 export interface VesselModel {
   readonly group: Group;
@@ -49,12 +50,12 @@ export interface VesselModel {
   dispose(): void;
 }
 
-/** Rejects when the mesh cannot be had; the message is a sentence. */
-export async function loadVessel(url: string): Promise<VesselModel> {
+/** Drawn with at most about `mostTriangles`. Rejects when the mesh cannot be had; the message is a sentence. */
+export async function loadVessel(url: string, mostTriangles: number): Promise<VesselModel> {
   const file = await new GLTFLoader().loadAsync(url).catch(() => {
     throw new Error('The vessel could not be loaded. Check the connection and try again.');
   });
-  const geometries = geometriesOf(file.scene);
+  const geometries = geometriesOf(file.scene).map((geometry) => lighter(geometry, mostTriangles));
   if (geometries.length === 0) throw new Error('The vessel holds no surface. Tell your administrator.');
   const materials = [wallMaterial(farWall, BackSide), wallMaterial(nearWall, FrontSide)];
   const group = new Group();
@@ -83,6 +84,20 @@ function geometriesOf(scene: Object3D): BufferGeometry[] {
     geometries.push(geometry);
   });
   return geometries;
+}
+
+function lighter(geometry: BufferGeometry, mostTriangles: number): BufferGeometry {
+  const index = geometry.getIndex();
+  if (!index || index.count / 3 <= mostTriangles) return geometry;
+  const values = (name: string) => new Float32Array(geometry.getAttribute(name).array);
+  const light = thinned(
+    {positions: values('position'), normals: values('normal'), index: new Uint32Array(index.array)}, mostTriangles);
+  geometry.dispose();
+  const made = new BufferGeometry();
+  made.setAttribute('position', new BufferAttribute(light.positions, 3));
+  made.setAttribute('normal', new BufferAttribute(light.normals, 3));
+  made.setIndex(new BufferAttribute(light.index, 1));
+  return made;
 }
 
 function wallMaterial(look: Look, side: typeof BackSide | typeof FrontSide): ShaderMaterial {
