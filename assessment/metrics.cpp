@@ -25,6 +25,7 @@ const std::vector<Metric>& registry() {
 
 std::vector<MetricDefinition> definitions_of(const std::vector<Metric>& metrics) {
   std::vector<MetricDefinition> definitions;
+  definitions.reserve(metrics.size());
   for (const Metric& metric : metrics) definitions.push_back(metric.definition);
   return definitions;
 }

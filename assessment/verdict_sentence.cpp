@@ -28,7 +28,7 @@ Naming naming_of(const std::string& metric) {
   return {name, definition->unit, is_count};
 }
 
-std::string with_unit(std::string number, std::string_view unit) {
+std::string with_unit(const std::string& number, std::string_view unit) {
   return unit.empty() ? number : number + " " + std::string(unit);
 }
 
@@ -45,7 +45,7 @@ std::string target_words(const Criterion& criterion, std::string_view unit) {
 
 // "112.4 s", "path economy of 0.85", "7 wall hits". Seconds need no name.
 std::string subject_words(const Criterion& criterion, const Naming& naming) {
-  const std::string value =
+  std::string value =
       with_unit(text_beside(*criterion.value, criterion.bound, naming.unit), naming.unit);
   if (criterion.subject == "time_s") return value;
   return naming.is_count ? value + " " + naming.name : naming.name + " of " + value;
@@ -141,7 +141,7 @@ std::string why_errors_fail(const Criterion& criterion, const RecordedTrial& tri
   if (!criterion.value || !parse(criterion.subject.substr(7), severity)) {
     return "its errors could not be counted";
   }
-  const std::string errors = errors_of(severity, trial, limits);
+  std::string errors = errors_of(severity, trial, limits);
   if (criterion.bound == 0.0 && !errors.empty()) return errors;
   return counted(*criterion.value, error_words(severity)) + " where " +
          std::string(sign(criterion.comparison)) + " " + exact_text(criterion.bound) +

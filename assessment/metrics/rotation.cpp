@@ -10,7 +10,7 @@ namespace assessment {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;  // per radian
-constexpr double kDeadBand_deg = 2.0;
+constexpr double kDeadBand = 2.0;                      // degrees
 
 std::vector<double> handle_angle_deg(const Signals& signals) {
   std::vector<double> angle;
@@ -40,7 +40,7 @@ std::optional<double> rotation_economy(const Signals& signals) {
 }
 
 std::optional<double> reversals(const Signals& signals) {
-  return count_reversals(handle_angle_deg(signals), kDeadBand_deg);
+  return count_reversals(handle_angle_deg(signals), kDeadBand);
 }
 
 constexpr Metric kMetrics[] = {

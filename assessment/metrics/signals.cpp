@@ -4,14 +4,9 @@
 #include <cmath>
 
 #include "assessment/motion/low_pass.h"
-#include "sim/base/units.h"
 
 namespace assessment {
 namespace {
-
-using namespace base::units;
-
-constexpr double kTurningSpeed = kTurningSpeed_deg * 1.0_deg;  // rad/s
 
 bool usable(const Sample& sample) {
   const auto finite = [](double v) { return std::isfinite(v); };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,8 +15,8 @@ namespace assessment {
 
 // Thresholds below which the hand counts as still; part of the version of the metrics that use
 // them.
-inline constexpr double kMovingSpeed = 1.0;       // mm/s
-inline constexpr double kTurningSpeed_deg = 5.0;  // deg/s
+inline constexpr double kMovingSpeed = 1.0;                              // mm/s
+inline constexpr double kTurningSpeed = 5.0 * std::numbers::pi / 180.0;  // rad/s, 5 deg/s
 
 // A range of intervals between samples: interval i lies between samples i and i + 1.
 struct IntervalRange {

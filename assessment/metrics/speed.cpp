@@ -3,12 +3,9 @@
 
 #include "assessment/metrics/family.h"
 #include "assessment/motion/peaks.h"
-#include "sim/base/units.h"
 
 namespace assessment {
 namespace {
-
-using namespace base::units;
 
 constexpr double kShortestIdle = 0.5;  // s
 
@@ -29,7 +26,7 @@ std::optional<double> idle_time(const Signals& signals) {
     const bool within = signals.times[i] >= *signals.first_motion - 1e-9 &&
                         signals.times[i + 1] <= signals.end + 1e-9;
     idle[i] = within && signals.tip_speed[i] < kMovingSpeed &&
-              std::abs(signals.turn[i]) < kTurningSpeed_deg * 1.0_deg * duration;
+              std::abs(signals.turn[i]) < kTurningSpeed * duration;
   }
   return time_in_runs(idle, signals.times, kShortestIdle);
 }

@@ -1,7 +1,7 @@
 #include "assessment/metrics.h"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -327,12 +327,12 @@ TEST(Metrics, AQuarterOfAnHourTakesWellUnderHalfASecond) {
                             .done();
   ASSERT_EQ(trial.samples.size(), 90001u);
   for (Sample& sample : trial.samples) sample.tip[1] = std::sin(20.0 * sample.time);
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // processor time: other work must not fail the test
   const auto values = compute_metrics(trial);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   EXPECT_FALSE(values.empty());
-  RecordProperty("seconds", std::to_string(taken.count()));
-  EXPECT_LT(taken.count(), 10.0);
+  RecordProperty("seconds", std::to_string(taken));
+  EXPECT_LT(taken, 10.0);
 }
 
 }  // namespace
