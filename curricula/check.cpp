@@ -11,6 +11,7 @@
 #include "curricula/read_plan.h"
 #include "curricula/semantic_version.h"
 #include "curricula/sha256.h"
+#include "curricula/yaml_source.h"
 #include "curricula/yaml_tree.h"
 
 namespace curricula {

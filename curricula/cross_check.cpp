@@ -14,7 +14,9 @@ class CrossChecker {
  public:
   CrossChecker(const Drafts& drafts, Problems& problems) : drafts_(drafts), problems_(problems) {
     for (const ExerciseDraft& draft : drafts.exercises) {
-      if (draft.id_node) exercise_ids_.push_back(draft.exercise.id);
+      if (!draft.id_node) continue;
+      exercise_ids_.push_back(draft.exercise.id);
+      exercises_.emplace(draft.exercise.id, &draft);  // of two with one id the first
     }
     for (const BlockDraft& draft : drafts.blocks) {
       if (draft.id_node) block_ids_.push_back(draft.block.id);
@@ -48,9 +50,8 @@ class CrossChecker {
   }
 
   const ExerciseDraft* find_exercise(const std::string& id, const YamlNode& at) {
-    for (const ExerciseDraft& draft : drafts_.exercises) {
-      if (draft.id_node && draft.exercise.id == id) return &draft;
-    }
+    const auto found = exercises_.find(id);
+    if (found != exercises_.end()) return found->second;
     report_unknown("exercise", id, at, exercise_ids_);
     return nullptr;
   }
@@ -123,11 +124,9 @@ class CrossChecker {
       return;
     }
     for (const std::string& id : before->block.exercises) {
-      for (const ExerciseDraft& exercise : drafts_.exercises) {
-        if (exercise.id_node && exercise.exercise.id == id) {
-          check_can_be_met(exercise, *draft.after_node, "block '" + draft.block.id + "'");
-        }
-      }
+      const auto found = exercises_.find(id);
+      if (found == exercises_.end()) continue;
+      check_can_be_met(*found->second, *draft.after_node, "block '" + draft.block.id + "'");
     }
   }
 
@@ -229,6 +228,7 @@ class CrossChecker {
   const Drafts& drafts_;
   Problems& problems_;
   std::vector<std::string> exercise_ids_, block_ids_;
+  std::map<std::string, const ExerciseDraft*> exercises_;
   std::set<std::string> in_cycle_;  // what is part of a circle that was reported
 };
 

@@ -315,6 +315,10 @@ void Fields::finish() {
     const std::string& key = entry.key.text;
     if (entry.key.kind != YamlNode::Kind::scalar) continue;
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    if (problems_.full()) {
+      problems_.error(entry.key, {});
+      continue;
+    }
 
     const auto with_unit = std::find_if(known_.begin(), known_.end(),
                                         [&](const std::string& k) { return adds_unit(k, key); });

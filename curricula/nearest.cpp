@@ -30,7 +30,10 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   if (word.size() > kLongestWord) return {};
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
-  for (const std::string& candidate : candidates) {
+  // a file may define thousands of names: one of the first will do, or none
+  constexpr std::size_t kMostCandidates = 500;
+  for (const std::string& candidate :
+       candidates.first(std::min(candidates.size(), kMostCandidates))) {
     if (candidate.size() > kLongestWord) continue;
     const std::size_t d = distance(word, candidate);
     // a guess that shares nothing with the word helps nobody

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "curricula/check.h"
+#include "curricula/problems.h"
 
 namespace curricula {
 
@@ -41,35 +41,11 @@ struct YamlEntry {
   YamlNode key, value;
 };
 
-// Collects problems; a broken megabyte must not make a million sentences.
-class Problems {
- public:
-  void error(int line, int column, std::string message);
-  void error(const YamlNode& at, std::string message) {
-    error(at.line, at.column, std::move(message));
-  }
-  void warning(const YamlNode& at, std::string message);
-  bool any_error() const { return any_error_; }
-  std::size_t count() const { return list_.size() + dropped_; }
-  std::vector<Problem> sorted() &&;  // in the order of their lines
-
- private:
-  void add(Problem problem);
-  std::vector<Problem> list_;
-  bool any_error_ = false;
-  std::size_t dropped_ = 0;
-};
-
 struct YamlTree {
   YamlNode root;
   bool truncated = false;  // a syntax error: what follows it was not seen
 };
 
 YamlTree parse_yaml(std::string_view text, Problems& problems);
-
-// The text of a node that is a map, cut out of `text` so that it stands alone: its own indentation
-// removed, up to the last line with content before `next`, the byte where the following node
-// begins (text.size() when there is none).
-std::string source_of(std::string_view text, const YamlNode& map, std::size_t next);
 
 }  // namespace curricula

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "curricula/yaml_source.h"
+
 namespace {
 
 using curricula::parse_yaml;
