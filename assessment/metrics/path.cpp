@@ -13,7 +13,7 @@ std::optional<double> tip_path(const Signals& signals) { return path_length(sign
 std::optional<double> handle_economy(const Signals& signals) {
   const auto& samples = signals.trial->samples;
   double commanded = 0.0, travelled = 0.0;
-  double from = signals.trial->start_axial;
+  double from = samples.front().handle_axial;
   for (const TrialStep& step : signals.trial->steps) {
     if (step.kind != StepKind::translate || !step.done()) continue;
     commanded += std::abs(step.target - from);

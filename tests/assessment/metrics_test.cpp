@@ -154,7 +154,6 @@ TEST(Metrics, AStartingDepthIsNotTravel) {
                             .feed(100.0, 20.0)
                             .end_step()
                             .done();
-  trial.start_axial = 200.0;
   for (Sample& sample : trial.samples) sample.handle_axial += 200.0;
   EXPECT_NEAR(*metric(trial, "path_economy"), 1.0, 1e-12);
   EXPECT_EQ(*metric(trial, "overshoot_mm"), 0.0);
