@@ -56,7 +56,7 @@ function Console({begun}: {begun: BegunTrial}) {
   const trial = useMemo(() => new RunningTrial(trial_id), [trial_id]);
   const snapshot = useSyncExternalStore(trial.store.subscribe, trial.store.getSnapshot);
   const [opened, setOpened] = useState<Opened>(null);
-  const [settings, setSettings] = useState<SceneSettings>({mode: 'whole', trueSize: false});
+  const [settings, setSettings] = useState<SceneSettings>({mode: 'follow', trueSize: false});
   const scene = useRef<MonitorScene | null>(null);
 
   useEffect(() => {
@@ -132,7 +132,8 @@ function Console({begun}: {begun: BegunTrial}) {
       >
         {kind && (
           <Overlay
-            kind={kind} briefing={briefing} snapshot={snapshot} onResume={() => trial.resume()} onEnd={end} onClose={close}
+            kind={kind} briefing={briefing} snapshot={snapshot} onResume={() => trial.resume()} onEnd={end}
+            onAskEnd={() => open('confirm_end')} onClose={close}
             onTryAgain={() => trial.tryAgain()} onTraining={() => navigate(paths.training)}
             onDebrief={() => navigate(paths.debrief(trial_id), {replace: true})}
           />
@@ -147,7 +148,7 @@ function Console({begun}: {begun: BegunTrial}) {
       </div>
       <KeyLegend />
       <p className="visually-hidden" aria-live="polite">{step ? `Step ${frame.step_index + 1}: ${step.title}` : 'All steps are done'}</p>
-      <p className="visually-hidden" aria-live="polite">{alarm.level === 'ok' ? '' : alarm.text}</p>
+      <p className="visually-hidden" aria-live="polite">{alarm.spoken}</p>
     </div>
   );
 }

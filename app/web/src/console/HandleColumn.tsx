@@ -4,6 +4,7 @@ import type {StepInfo} from '../wire/types';
 import {axisOf, type DragAxis, fineDrag, placeOn, ticksOf, type Travel, travelOf, turnPerPixel_deg, wheelNotch_mm} from './handle_travel';
 import styles from './HandleColumn.module.css';
 import type {HandleSender} from './handle_sender';
+import {fixed} from './readings';
 import type {TrialStore} from './trial_store';
 
 interface Props {
@@ -105,7 +106,7 @@ function Ruler({travel, length, step}: {travel: Travel; length: number; step: St
       {ticksOf(travel).map(({at_mm, major}) => (
         <g key={at_mm}>
           <line x1={ruler} x2={ruler + (major ? 9 : 5)} y1={y(at_mm)} y2={y(at_mm)} />
-          {major && at_mm !== step?.target && <text className="ax" x={ruler + 14} y={y(at_mm) + 4}>{at_mm}</text>}
+          {major && at_mm !== step?.target && <text className="ax" x={ruler + 14} y={y(at_mm) + 4}>{fixed(at_mm, 0)}</text>}
         </g>
       ))}
       {step && (
@@ -115,7 +116,7 @@ function Ruler({travel, length, step}: {travel: Travel; length: number; step: St
             height={Math.max(3, y(step.target - step.tolerance) - y(step.target + step.tolerance))}
           />
           <line x1={shaft - 19} x2={ruler + 9} y1={y(step.target)} y2={y(step.target)} />
-          <text className="lab" x={ruler + 14} y={y(step.target) + 4}>{step.target}</text>
+          <text className="lab" x={ruler + 14} y={y(step.target) + 4}>{fixed(step.target, 0)}</text>
         </g>
       )}
     </g>

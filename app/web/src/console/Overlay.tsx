@@ -12,6 +12,7 @@ interface Props {
   snapshot: TrialSnapshot;
   onResume: () => void;
   onEnd: () => void;
+  onAskEnd: () => void;
   onClose: () => void;
   onTryAgain: () => void;
   onTraining: () => void;
@@ -45,7 +46,7 @@ export function Overlay(props: Props) {
 }
 
 function contentOf(props: Props): Content {
-  const {kind, briefing, snapshot, onResume, onEnd, onClose, onTryAgain, onTraining, onDebrief} = props;
+  const {kind, briefing, snapshot, onResume, onEnd, onAskEnd, onClose, onTryAgain, onTraining, onDebrief} = props;
   const step = briefing.steps[snapshot.frame?.step_index ?? 0];
   switch (kind) {
     case 'loading':
@@ -67,7 +68,7 @@ function contentOf(props: Props): Content {
         title: 'Paused',
         body: <p>The simulation stands still. The pause is noted in the record.</p>,
         primary: {name: 'Resume', act: onResume},
-        second: {name: 'End trial', act: onEnd},
+        second: {name: 'End trial', act: onAskEnd},
       };
     case 'restored':
       return {
@@ -104,7 +105,13 @@ function contentOf(props: Props): Content {
     case 'ended':
       return {
         title: 'The trial has ended',
-        body: <p>{snapshot.frame ? endSentence(snapshot.frame) : ''} The record is being filed; the debrief opens by itself.</p>,
+        body: (
+          <>
+            <p>{snapshot.frame ? endSentence(snapshot.frame) : ''} The record is being filed; the debrief opens by itself.</p>
+            {snapshot.problem && <p className={styles.hint} role="alert">{snapshot.problem}</p>}
+          </>
+        ),
+        second: snapshot.problem ? {name: 'My training', act: onTraining} : undefined,
       };
     case 'confirm_end':
       return {

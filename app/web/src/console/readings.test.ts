@@ -131,8 +131,9 @@ describe('limits and the alarm', () => {
   it('name the worst first', () => {
     const gauge = (name: string, value: number) => ({name, unit: 'N', reading: readGauge(value, value, 2, [])});
     expect(readAlarm([gauge('Contact force', 1.7), gauge('Push force', 2.1)], []).text).toBe('Push force 2.10, limit 2.00\u00a0N');
-    expect(readAlarm([gauge('Contact force', 0.1)], []).level).toBe('ok');
+    expect(readAlarm([gauge('Contact force', 0.1)], [])).toMatchObject({level: 'ok', spoken: ''});
+    expect(readAlarm([gauge('Contact force', 1.7)], []).spoken).toBe('Contact force near limit');
     const broken = readLimits(briefing, frameWith({limits: [{value: 2.4, breached: true}]}));
-    expect(readAlarm([gauge('Contact force', 0.1)], broken)).toEqual({level: 'near', text: 'Largest contact force was exceeded'});
+    expect(readAlarm([gauge('Contact force', 0.1)], broken)).toMatchObject({level: 'near', text: 'Largest contact force was exceeded'});
   });
 });

@@ -200,6 +200,8 @@ export function readLimits(briefing: Briefing, frame: Frame): LimitReading[] {
 export interface Alarm {
   readonly level: Level;
   readonly text: string;
+  /** Without the number, which would be read out again and again; empty while all is well. */
+  readonly spoken: string;
 }
 
 /** The one line that names what is wrong: the worst first. */
@@ -210,12 +212,16 @@ export function readAlarm(gauges: readonly {name: string; unit: string; reading:
       const digits = digitsFor(unit);
       const value = fixedAgainst(Math.abs(reading.value), reading.limit, digits);
       const bound = `${fixed(reading.limit, digits)}${unitSuffix(unit)}`;
-      return {level, text: `${name} ${value}, limit ${bound}`};
+      const spoken = level === 'over' ? `${name}: limit reached` : `${name} near limit`;
+      return {level, text: `${name} ${value}, limit ${bound}`, spoken};
     }
   }
   const broken = limits.find((limit) => limit.level === 'over');
-  if (broken) return {level: 'near', text: `${broken.title} was exceeded`};
-  return {level: 'ok', text: 'No alarm'};
+  if (broken) {
+    const text = `${broken.title} was exceeded`;
+    return {level: 'near', text, spoken: text};
+  }
+  return {level: 'ok', text: 'No alarm', spoken: ''};
 }
 
 const endSentences: Record<NonNullable<Frame['end_reason']>, string> = {

@@ -30,7 +30,7 @@ const mostRings = 5;
 const background = new Color('#0c0e11');
 const wantedRadius_px = 1.9;
 const mostThickening = 3;
-const followHeight_mm = 70;      // what the picture shows around the tip
+const followHeight_mm = 90;      // what the picture shows around the tip
 const followTime_s = 0.12;
 const sheathLength_mm = 18;
 const slowFrame_ms = 30;         // longer than this again and again: fewer pixels
@@ -98,6 +98,7 @@ export class MonitorScene {
 
   setVessel(vessel: VesselModel): void {
     if (this.vessel) this.scene.remove(this.vessel.group);
+    this.vessel?.dispose();
     this.vessel = vessel;
     this.scene.add(vessel.group);
     this.reset();
@@ -140,7 +141,9 @@ export class MonitorScene {
     this.observer.disconnect();
     this.tube.dispose();
     this.sheath.dispose();
+    this.vessel?.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss();  // a browser has only a few contexts to give
     this.renderer.domElement.remove();
     this.marks.root.remove();
   }

@@ -117,7 +117,7 @@ export class PictureMarks {
     }
     const side = spot.x > this.width - 130 ? -1 : 1;
     const from = ringRadius(part) + 2;
-    set(this.leader, {d: `M${spot.x + side * from} ${spot.y}h${side * 18}`});
+    set(this.leader, {d: `M${tidy(spot.x + side * from)} ${tidy(spot.y)}h${side * 18}`});
     set(this.force, {x: spot.x + side * (from + 23), y: spot.y + 4, 'text-anchor': side > 0 ? 'start' : 'end'});
     if (now_ms - this.textChanged_ms < textInterval_ms && this.force.textContent !== '') return;
     this.textChanged_ms = now_ms;
@@ -144,16 +144,27 @@ function add<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Attri
 }
 
 function set(element: Element, attributes: Attributes): void {
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  for (const [name, value] of Object.entries(attributes)) {
+    const text = typeof value === 'number' ? tidy(value) : value;
+    if (element.getAttribute(name) !== text) element.setAttribute(name, text);  // a change costs a repaint
+  }
+}
+
+function tidy(value: number): string {
+  return String(Math.round(value * 10) / 10);
 }
 
 function place(element: SVGElement, spot: Spot | null): void {
-  element.style.display = spot ? '' : 'none';
-  if (spot) element.setAttribute('transform', `translate(${spot.x} ${spot.y})`);
+  show(element, spot !== null);
+  if (spot) set(element, {transform: `translate(${tidy(spot.x)} ${tidy(spot.y)})`});
+}
+
+function show(element: SVGElement, visible: boolean): void {
+  set(element, {visibility: visible ? 'visible' : 'hidden'});
 }
 
 function centre(circle: SVGCircleElement, spot: Spot | null): void {
-  circle.style.display = spot ? '' : 'none';
+  show(circle, spot !== null);
   if (spot) set(circle, {cx: spot.x, cy: spot.y});
 }
 
