@@ -64,7 +64,8 @@ class RodInstrument::Implementation {
       : access_(access),
         settings_(settings),
         solver_(mesh_for(checked(instrument, access, start_inserted, settings), settings), settings,
-                wall) {
+                wall),
+        gauge_(solver_.capacity()) {
     solver_.set_guide(access_.position, access_.direction);
     const std::size_t capacity = solver_.capacity();
     nodes_.resize(capacity);
@@ -199,7 +200,7 @@ class RodInstrument::Implementation {
     const std::size_t count = solver_.node_count();
     const std::span<Vec3> tip_forces(tip_forces_.data(), count);
     solver_.contact().node_forces(tip_forces);
-    contact_force_ = largest_contact_force(tip_forces, {solver_.mesh().cell_length.data(), count});
+    contact_force_ = gauge_.largest(tip_forces, {solver_.mesh().cell_length.data(), count});
     for (std::size_t i = 0; i < count; ++i) {
       nodes_[count - 1 - i] = solver_.position(i);
       forces_[count - 1 - i] = tip_forces[i];
@@ -214,6 +215,7 @@ class RodInstrument::Implementation {
   double base_axial_ = 0.0;  // mm of the base along the access direction, negative: in the sheath
   double handle_axial_ = 0.0;
   double handle_rotation_ = 0.0;
+  RodContactForce gauge_;
   double contact_force_ = 0.0;
   std::size_t behind_mouth_ = 0;  // the first node from the tip that is at or behind the mouth
   std::vector<Vec3> nodes_, forces_, tip_forces_;

@@ -7,8 +7,6 @@
 // clamped along x at s = 0, a force F along +y at s = length, where M = 0.
 #pragma once
 
-#include <functional>
-
 namespace sim::validation {
 
 struct Elastica {
@@ -23,10 +21,10 @@ struct Elastica {
 // the equilibrium that grows from the unloaded one, any P >= 0.
 Elastica loaded_cantilever(double length, double bending_stiffness, double load);
 
-// A cantilever with the rest curvature `rest_curvature(s)` (1/mm, s from the clamp) under the end
-// force F along +y. Newton's method on the moment at the clamp; for moderate loads.
-Elastica curved_cantilever(double length, double bending_stiffness, double force,
-                           const std::function<double(double)>& rest_curvature);
+// A cantilever whose last `bend_length` has the rest curvature `curvature` (1/mm, towards +y),
+// straight before that, under the end force F along +y. For moderate loads.
+Elastica bent_cantilever(double length, double bending_stiffness, double bend_length,
+                         double curvature, double force);
 
 // Buckled rod with pinned ends, shortened to (1 - shortening) of its length: its end force over
 // Euler's pi^2 EI / L^2, and the deflection of its middle over L. 0 < shortening < 0.5.

@@ -27,8 +27,8 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 std::vector<ParameterDefinition> fed_wire_parameters() {
   return {{"mu", "friction coefficient", "1", 0.15, 0.0, 0.3},
-          {"ei", "bending stiffness", "N mm^2", 300.0, 10.0, 2500.0},
-          {"gj", "twist stiffness", "N mm^2", 230.0, 10.0, 2500.0},
+          {"ei", "bending stiffness", "N mm^2", 300.0, 100.0, 2500.0},
+          {"gj", "twist stiffness", "N mm^2", 230.0, 100.0, 2500.0},
           {"radius", "radius of the bend", "mm", 40.0, 20.0, 100.0},
           {"angle", "angle of the bend", "deg", 90.0, 30.0, 120.0},
           {"element_length", "length of an element", "mm", 3.0, 2.0, 4.0},
