@@ -8,7 +8,7 @@ import {Panel} from '../parts/Panel';
 import {lookOf, State} from '../parts/State';
 import {endWord, sourceWord, stateOfTrial} from '../parts/TrialTable';
 import {useResource, useSignedIn} from '../parts/api';
-import {digitsToTellApart, formatBound, formatClock, formatValue, formatWhen} from '../parts/format';
+import {digitsToTellApart, formatBound, formatClock, formatValue, formatWhen, shortTitle} from '../parts/format';
 import {paths} from '../parts/paths';
 import {useBeginTrial} from '../parts/use_begin_trial';
 import {useTitle} from '../parts/use_title';
@@ -26,28 +26,29 @@ function Page({debrief}: {debrief: DebriefData}) {
   useTitle(`${debrief.exercise_title}, trial ${trial.ordinal}`);
   const {session} = useSignedIn();
   const own = session.role === 'trainee';
+  const [steps, ...force] = debrief.charts;
   return (
     <>
       <nav className="crumbs" aria-label="Breadcrumb">
         <ol>
           <li>{own ? <Link href={paths.training}>My training</Link> : <Link href={paths.people}>People</Link>}</li>
           <li aria-hidden="true">/</li>
-          <li>{own ? <Link href={paths.briefing(trial.exercise_id)}>{debrief.exercise_title}</Link> : debrief.person_name}</li>
+          <li>{own ? <Link href={paths.briefing(trial.exercise_id)}>{shortTitle(debrief.exercise_title)}</Link> : debrief.person_name}</li>
           <li aria-hidden="true">/</li>
-          <li className="num">{own ? '' : `${debrief.exercise_title}, `}Trial {trial.ordinal}, {formatWhen(trial.started_utc)}</li>
+          <li className="num">{own ? '' : `${shortTitle(debrief.exercise_title)}, `}Trial {trial.ordinal}, {formatWhen(trial.started_utc)}</li>
         </ol>
       </nav>
       <div className="stack">
         <Verdict debrief={debrief} own={own} />
         <div className={styles.duo}>
           <Criteria debrief={debrief} />
-          {debrief.charts[0] && <section className="panel"><ChartView chart={debrief.charts[0]} /></section>}
+          {steps && <section className="panel"><ChartView chart={steps} /></section>}
         </div>
-        {debrief.charts.slice(1).map((chart) => <section key={chart.id} className="panel"><ChartView chart={chart} /></section>)}
-        <div className={styles.duo}>
+        <div className={force.length > 0 ? styles.force : undefined}>
+          {force.map((chart) => <section key={chart.id} className="panel"><ChartView chart={chart} /></section>)}
           <Events events={debrief.events} />
-          <Measurements metrics={debrief.metrics} />
         </div>
+        <Measurements metrics={debrief.metrics} />
         <Provenance debrief={debrief} />
       </div>
     </>
@@ -69,7 +70,7 @@ function Verdict({debrief, own}: {debrief: DebriefData; own: boolean}) {
       </div>
       <div className={`num ${styles.rule}`}>
         <p className="strong">Rule</p>
-        <p className="muted">{debrief.rule_sentence} {debrief.exercise_title}, version {debrief.exercise_version}.</p>
+        <p className="muted">{debrief.rule_sentence} {shortTitle(debrief.exercise_title)}, version {debrief.exercise_version}.</p>
       </div>
       {own && (
         <div className={styles.again}>
@@ -145,24 +146,19 @@ function Events({events}: {events: EventRow[]}) {
 
 function Measurements({metrics}: {metrics: MetricResult[]}) {
   return (
-    <Panel title="Measurements" aside="Simulated force">
+    <Panel title="Measurements" aside="Forces are simulated; training values, not clinical">
       {metrics.length === 0
         ? <EmptyState title="Nothing measured">The trial ended before there was anything to measure.</EmptyState>
         : (
-          <div className={styles.scroll} role="region" aria-label="All measurements" tabIndex={0}>
-            <table className="table">
-              <thead><tr><th scope="col">Measurement</th><th scope="col" className="r">You</th><th scope="col">Better is</th></tr></thead>
-              <tbody>
-                {metrics.map((metric) => (
-                  <tr key={metric.id}>
-                    <td>{metric.title}<div className="xs faint">{metric.definition}</div></td>
-                    <td className="r strong">{formatValue(metric.value, metric.unit)}</td>
-                    <td className="muted">{metric.direction}</td>
-                  </tr>
-                ))}
-              </tbody>
-            </table>
-          </div>
+          <dl className={styles.metrics}>
+            {metrics.map((metric) => (
+              <div key={metric.id}>
+                <dt className="xs faint">{metric.title}</dt>
+                <dd className="strong num">{formatValue(metric.value, metric.unit)}</dd>
+                <dd className="xs faint">{metric.definition} {metric.direction === 'lower' ? 'Lower' : 'Higher'} is better.</dd>
+              </div>
+            ))}
+          </dl>
         )}
     </Panel>
   );

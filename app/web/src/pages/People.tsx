@@ -7,7 +7,7 @@ import {Loaded} from '../parts/Loaded';
 import {KindTag, levelWord} from '../parts/PersonFacts';
 import {State} from '../parts/State';
 import {useResource} from '../parts/api';
-import {formatCount, formatWhen} from '../parts/format';
+import {formatCount, formatWhen, shortTitle} from '../parts/format';
 import {needsHelp, orderPeople, peopleOfKind, peopleViews, type PeopleView} from '../parts/people_order';
 import {paths} from '../parts/paths';
 import {useTitle} from '../parts/use_title';
@@ -117,7 +117,7 @@ function Curves({personId}: {personId: string}) {
       {({exercises}) => (
         <div className={styles.curves}>
           {exercises.flatMap((exercise) => exercise.charts.slice(0, 1).map((chart) =>
-            <ChartView key={`${exercise.exercise_id} ${chart.id}`} chart={{...chart, title: `${exercise.title}: ${chart.title}`}} />))}
+            <ChartView key={`${exercise.exercise_id} ${chart.id}`} chart={{...chart, title: `${shortTitle(exercise.title)}: ${chart.title}`}} />))}
         </div>
       )}
     </Loaded>
@@ -129,7 +129,7 @@ function Statuses({person}: {person: PersonRow}) {
     <ul className={styles.statuses}>
       {person.statuses.map((card) => (
         <li key={card.exercise_id}>
-          <span className="small">{card.title}</span>
+          <span className="small">{shortTitle(card.title)}</span>
           <State state={card.status} />
           <span className={`xs faint ${styles.sentence}`}>{card.sentence}</span>
         </li>

@@ -9,7 +9,7 @@ import {lookOf} from '../parts/State';
 import {TaskDrawing} from '../parts/TaskDrawing';
 import {stateOfTrial, endWord} from '../parts/TrialTable';
 import {useResource} from '../parts/api';
-import {formatCount, formatDifference, formatDuration, formatValue, formatWhen} from '../parts/format';
+import {formatCount, formatDifference, formatDuration, formatValue, formatWhen, shortTitle} from '../parts/format';
 import {paths} from '../parts/paths';
 import {useBeginTrial} from '../parts/use_begin_trial';
 import {useTitle} from '../parts/use_title';
@@ -135,7 +135,7 @@ function Station({card, next}: {card: ExerciseCard; next: boolean}) {
   return (
     <li className={`${styles.station} ${styles[tone] ?? ''}`} aria-current={next ? 'step' : undefined}>
       <span className={`${styles.sign} tone-${tone}`}><Icon name={card.status === 'proficient' ? 'tick' : look.icon} /></span>
-      <Link className="strong" href={paths.briefing(card.exercise_id)}>{card.title}</Link>
+      <Link className="strong" href={paths.briefing(card.exercise_id)}>{shortTitle(card.title)}</Link>
       <span className={`state tone-${tone}`}>{look.word}{next ? ', next' : ''}</span>
       <span className="xs faint num">{card.sentence}</span>
     </li>
@@ -144,7 +144,8 @@ function Station({card, next}: {card: ExerciseCard; next: boolean}) {
 
 function Results({next}: {next: NextExercise}) {
   const target = next.briefing.targets.find((bound) => bound.metric === 'time_s');
-  const aside = target ? `${next.briefing.title}, target ${formatValue(target.value, target.unit)}` : next.briefing.title;
+  const name = shortTitle(next.briefing.title);
+  const aside = target ? `${name}, target ${formatValue(target.value, target.unit)}` : name;
   return (
     <div className={next.chart ? styles.two : undefined}>
       <Panel title="Last results" aside={aside}>

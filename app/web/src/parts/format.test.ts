@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 import {
-  digitsToTellApart, formatBound, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf,
+  digitsToTellApart, formatBound, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf, shortTitle,
 } from './format';
 
 const thin = '\u00a0';
@@ -63,6 +63,11 @@ describe('times', () => {
 it('counts in words', () => {
   expect(formatCount(1, 'trial')).toBe(`1${thin}trial`);
   expect(formatCount(0, 'person', 'people')).toBe(`0${thin}people`);
+});
+
+it('shortens a title to its name', () => {
+  expect(shortTitle('Linear: feed, retract, feed')).toBe('Linear');
+  expect(shortTitle('Sign-off')).toBe('Sign-off');
 });
 
 it('makes initials', () => {

@@ -99,3 +99,8 @@ export function formatDuration(seconds: number): string {
   const words = formatCount(minutes, 'minute');
   return rest === 0 ? words : `${words} ${rest}${thin}s`;
 }
+
+/** "Linear: feed, retract, feed" -> "Linear": the name for lists, where the whole title has no room. */
+export function shortTitle(title: string): string {
+  return title.split(':', 1)[0] ?? title;
+}
