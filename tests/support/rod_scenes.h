@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -68,5 +67,37 @@ inline Hand random_hand(double time) {
   return {.feed = 40.0 * wave(0.7, 0.0) + 35.0 * wave(2.3, 1.1) + 25.0 * wave(6.7, 2.3),
           .turn = 2.8 * wave(0.9, 0.4) + 2.4 * wave(2.9, 1.9) + 1.8 * wave(5.3, 0.8)};
 }
+
+// A wire of about `node_count` nodes laid along its path, for benchmarks. It is in free space, or
+// in the scene `heavy`: a winding tube of radius 2 mm in which about a third of the nodes touch.
+class LaidWire {
+ public:
+  LaidWire(int node_count, bool heavy)
+      : inserted_(kElement * node_count - kSheath - kElement),
+        tube_(winding_tube(inserted_ + 150.0, 36.0, 0.77)),
+        rod_(stiff_wire(inserted_ + 200.0, 0.15), Access{}, heavy ? &tube_ : nullptr, inserted_,
+             settings(), heavy ? tube_.axis(1.0) : straight_path(inserted_ + 1.0)) {}
+
+  RodInstrument& rod() { return rod_; }
+
+ private:
+  static constexpr double kElement = 3.0;
+  static constexpr double kSheath = 24.0;
+
+  static RodSettings settings() {
+    RodSettings settings;
+    settings.element_length = kElement;
+    settings.tip_element_length = kElement;
+    settings.sheath_length = kSheath;
+    return settings;
+  }
+  static std::vector<Vec3> straight_path(double length) {
+    return {Vec3::Zero(), length * Vec3::UnitZ()};
+  }
+
+  double inserted_;
+  TubeWall tube_;
+  RodInstrument rod_;
+};
 
 }  // namespace sim::scenes
