@@ -59,7 +59,7 @@ class CrossChecker {
   void report_unknown(const char* what, const std::string& id, const YamlNode& at,
                       const std::vector<std::string>& known) {
     if (drafts_.truncated) return;
-    const std::string guess = nearest(id, known);
+    const std::string guess = problems_.full() ? "" : nearest(id, known);
     problems_.error(
         at,
         std::string("there is no ") + what + " '" + id.substr(0, 64) + "' in this file: " +

@@ -31,7 +31,7 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   // a file may define thousands of names: one of the first will do, or none
-  constexpr std::size_t kMostCandidates = 500;
+  constexpr std::size_t kMostCandidates = 100;
   for (const std::string& candidate :
        candidates.first(std::min(candidates.size(), kMostCandidates))) {
     if (candidate.size() > kLongestWord) continue;

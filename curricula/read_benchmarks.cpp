@@ -100,7 +100,7 @@ bool check_metric(const std::string& id, const YamlNode& at, Problems& problems)
   }
   std::vector<std::string> known;
   for (const auto& definition : assessment::metric_definitions()) known.emplace_back(definition.id);
-  const std::string guess = nearest(id, known);
+  const std::string guess = problems.full() ? "" : nearest(id, known);
   problems.error(at, "there is no metric '" + id.substr(0, 64) + "': " +
                          (guess.empty() ? "write one that exists, such as time_s or force_max_n"
                                         : "did you mean '" + guess + "'?"));

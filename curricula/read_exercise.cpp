@@ -38,7 +38,7 @@ void report_unknown(const char* what, const std::string& id, const YamlNode& at,
                     const std::vector<Entry>& entries, Problems& problems) {
   std::vector<std::string> known;
   for (const Entry& entry : entries) known.push_back(entry.id);
-  const std::string guess = nearest(id, known);
+  const std::string guess = problems.full() ? "" : nearest(id, known);
   problems.error(at, std::string("there is no ") + what + " '" + id.substr(0, 64) + "': " +
                          (!guess.empty()  ? "did you mean '" + guess + "'?"
                           : known.empty() ? "the catalogue is empty"

@@ -96,9 +96,11 @@ class RuleReader {
                                     [&](const Benchmark& b) { return b.id == id; });
     if (found == context_.benchmarks.end()) {
       if (context_.truncated) return;
-      std::vector<std::string> known;
-      for (const Benchmark& b : context_.benchmarks) known.push_back(b.id);
-      const std::string guess = nearest(id, known);
+      std::vector<std::string> known;  // not gathered when there is nobody left to tell
+      for (const Benchmark& b : context_.benchmarks) {
+        if (!problems_.full()) known.push_back(b.id);
+      }
+      const std::string guess = problems_.full() ? "" : nearest(id, known);
       problems_.error(at, "there is no benchmark '" + id + "': " +
                               (guess.empty() ? "define it under 'benchmarks'"
                                              : "did you mean '" + guess + "'?"));
