@@ -195,7 +195,11 @@ void show(const Options& options, Output& output) {
 void copy(const Options& options, Output& output) {
   const auto text = text_of(options.id, options.database);
   if (!text) return output.fail(text.error());
-  const auto draft = curricula::copy_as_draft(*text, options.new_id);
+  const auto library = load_installed_library();
+  if (!library) return output.fail(library.error());
+  const curricula::CheckResult source = curricula::check(*text, library->catalogue());
+  if (!source.ok()) return output.fail(options.id + " cannot be read by this version");
+  const auto draft = curricula::copy_as_draft(*source.curriculum, options.new_id);
   if (!draft) return output.fail(draft.error());
   if (options.out.empty()) {
     std::cout << *draft;
@@ -222,9 +226,16 @@ void diff(const Options& options, Output& output) {
     print_problems(file, result->problems);
     return output.fail(file + " has problems; mend them first");
   }
-  const std::vector<std::string> changes = curricula::diff(*before->curriculum, *after->curriculum);
-  if (output.json) return output.print({{"changes", changes}});
-  for (const std::string& change : changes) std::cout << change << '\n';
+  const std::vector<curricula::Change> changes =
+      curricula::diff(*before->curriculum, *after->curriculum);
+  ordered_json rows = ordered_json::array();
+  for (const curricula::Change& change : changes) {
+    rows.push_back({{"weight", curricula::word(change.weight)}, {"change", change.sentence}});
+    if (!output.json) {
+      std::cout << curricula::word(change.weight) << ": " << change.sentence << '\n';
+    }
+  }
+  if (output.json) return output.print({{"changes", rows}});
   if (changes.empty()) std::cout << "No difference that matters.\n";
 }
 

@@ -171,7 +171,11 @@ Judgement judge(const curricula::Exercise& exercise, const assessment::RecordedT
   }
   judgement.step_times = assessment::step_times(trial);
   if (exercise.pass) {
-    judgement.verdict = assessment::judge(*exercise.pass, trial, judgement.metrics);
+    std::vector<assessment::LimitBound> limits;
+    for (const curricula::Limit& limit : exercise.limits) {
+      limits.push_back({limit.metric, limit.comparison, limit.bound});
+    }
+    judgement.verdict = assessment::judge(*exercise.pass, trial, judgement.metrics, limits);
   }
   return judgement;
 }
