@@ -132,7 +132,7 @@ int next_publication(soci::session& sql, const std::string& curriculum_id) {
 
 std::string insert_version(soci::session& sql, const CurriculumVersion& version,
                            const std::string& published_utc) {
-  const std::string row_id = new_id();
+  std::string row_id = new_id();
   const bool draft = version.status == "draft";
   const int publication = draft ? 0 : next_publication(sql, version.curriculum_id);
   execute(sql,
@@ -166,7 +166,7 @@ std::vector<CurriculumVersion> load_same(soci::session& sql, const CurriculumVer
   return load_version(sql, row_id);
 }
 
-const char* const kNewestPublished =
+constexpr const char* kNewestPublished =
     "curriculum_id = :value AND status = 'published' ORDER BY publication DESC LIMIT 1";
 
 }  // namespace

@@ -32,7 +32,7 @@ bool parse_word(const std::string& text, const std::array<Value, count>& values,
   return false;
 }
 
-const char* const kFromPeople = " FROM person p JOIN identity i ON i.person_id = p.id ";
+constexpr const char* kFromPeople = " FROM person p JOIN identity i ON i.person_id = p.id ";
 
 Error unknown_person() { return {ErrorCode::not_found, "There is no such person."}; }
 

@@ -35,7 +35,7 @@ struct Row {
   int interrupted = 0;
 };
 
-const char* const kColumns =
+constexpr const char* kColumns =
     "SELECT t.id, t.person_id, coalesce(t.enrolment_id, ''), t.exercise_id, "
     "coalesce(t.exercise_version_id, ''), t.ordinal, t.source, t.dataset, t.apparatus, t.device, "
     "t.seed, t.build, t.isa, t.anatomy_sha256, t.instruments_sha256, t.input_sha256, "

@@ -144,19 +144,12 @@ void insert_events(soci::session& sql, const std::string& trial_id,
   int seq = 0;
   sql << "SELECT coalesce(max(seq), -1) + 1 FROM event WHERE trial_id = :id", soci::use(trial_id),
       soci::into(seq);
-  assessment::Event event;
-  std::string severity;
-  soci::indicator has_value = soci::i_ok;
-  soci::statement insert =
-      (sql.prepare << "INSERT INTO event (trial_id, seq, t_s, code, severity, detail, value) "
-                      "VALUES (:trial, :seq, :t, :code, :severity, :detail, :value)",
-       soci::use(trial_id), soci::use(seq), soci::use(event.time), soci::use(event.code),
-       soci::use(severity), soci::use(event.detail), soci::use(event.value, has_value));
-  for (const assessment::Event& each : events) {
-    event = each;
-    severity = word(each.severity);
-    has_value = std::isnan(each.value) ? soci::i_null : soci::i_ok;
-    insert.execute(true);
+  for (const assessment::Event& event : events) {
+    execute(sql,
+            "INSERT INTO event (trial_id, seq, t_s, code, severity, detail, value) VALUES "
+            "(:trial, :seq, :t, :code, :severity, :detail, CASE WHEN :known = 1 THEN :value END)",
+            trial_id, seq, event.time, event.code, std::string(word(event.severity)), event.detail,
+            std::isnan(event.value) ? 0 : 1, event.value);
     ++seq;
   }
 }

@@ -23,8 +23,8 @@ CurriculumVersion basics(const std::string& version, std::vector<ExerciseVersion
   return curriculum;
 }
 
-const ExerciseVersion kLinear{"", "linear", 1, "id: linear\n"};
-const ExerciseVersion kRotational{"", "rotational", 3, "id: rotational\n"};
+const ExerciseVersion linear{"", "linear", 1, "id: linear\n"};
+const ExerciseVersion rotational{"", "rotational", 3, "id: rotational\n"};
 
 class Curricula : public testing::Test {
  protected:
@@ -39,7 +39,7 @@ class Curricula : public testing::Test {
 };
 
 TEST_F(Curricula, AreReadAsTheyWerePublished) {
-  CurriculumVersion version = basics("1.0.0", {kRotational, kLinear});
+  CurriculumVersion version = basics("1.0.0", {rotational, linear});
   version.benchmarks = {{"linear_time", "time_s", "fixed", true, 237.33, "paper"}};
   publish(version);
   const auto all = curriculum_versions(*store_);
@@ -68,11 +68,11 @@ TEST_F(Curricula, AreReadAsTheyWerePublished) {
 }
 
 TEST_F(Curricula, PublishedTwiceAreStoredOnceAndNeverChange) {
-  const CurriculumVersion first = publish(basics("1.0.0", {kLinear}));
-  const CurriculumVersion again = publish(basics("1.0.0", {kLinear}));
+  const CurriculumVersion first = publish(basics("1.0.0", {linear}));
+  const CurriculumVersion again = publish(basics("1.0.0", {linear}));
   EXPECT_EQ(again.row_id, first.row_id);
   EXPECT_EQ(again.exercises[0].id, first.exercises[0].id);
-  CurriculumVersion changed = basics("1.0.0", {kLinear});
+  CurriculumVersion changed = basics("1.0.0", {linear});
   changed.sha256 = "another";
   EXPECT_EQ(publish_curriculum(*store_, changed, "system").error().code, ErrorCode::conflict);
   EXPECT_EQ(curriculum_versions(*store_)->size(), 1u);
@@ -80,10 +80,10 @@ TEST_F(Curricula, PublishedTwiceAreStoredOnceAndNeverChange) {
 }
 
 TEST_F(Curricula, TheNewestPublishedVersionCounts) {
-  const CurriculumVersion first = publish(basics("1.0.0", {kLinear, kRotational}));
+  const CurriculumVersion first = publish(basics("1.0.0", {linear, rotational}));
   EXPECT_EQ(current_exercise(*store_, "rotational")->id, first.exercises[1].id);
-  const CurriculumVersion second = publish(basics("1.1.0", {kLinear}));
-  CurriculumVersion draft = basics("2.0.0", {kRotational});
+  const CurriculumVersion second = publish(basics("1.1.0", {linear}));
+  CurriculumVersion draft = basics("2.0.0", {rotational});
   draft.status = "draft";
   publish(draft);
   EXPECT_EQ(current_curriculum(*store_, "vascular-basics")->version, "1.1.0");
@@ -94,11 +94,11 @@ TEST_F(Curricula, TheNewestPublishedVersionCounts) {
 }
 
 TEST_F(Curricula, ADraftIsPublishedLaterWithTheSameText) {
-  CurriculumVersion draft = basics("2.0.0", {kRotational});
+  CurriculumVersion draft = basics("2.0.0", {rotational});
   draft.status = "draft";
   const CurriculumVersion stored = publish(draft);
   EXPECT_TRUE(stored.published_utc.empty());
-  publish(basics("2.1.0", {kLinear}));
+  publish(basics("2.1.0", {linear}));
   draft.status = "published";
   EXPECT_EQ(publish(draft).row_id, stored.row_id);
   EXPECT_EQ(current_curriculum(*store_, "vascular-basics")->version, "2.0.0");
@@ -110,29 +110,29 @@ TEST_F(Curricula, UnknownOnesAreNotFound) {
   EXPECT_EQ(current_exercise(*store_, "none").error().code, ErrorCode::not_found);
   EXPECT_EQ(exercise_version(*store_, "none").error().code, ErrorCode::not_found);
   EXPECT_EQ(enrol(*store_, anna, "none").error().code, ErrorCode::not_found);
-  publish(basics("1.0.0", {kLinear}));
+  publish(basics("1.0.0", {linear}));
   EXPECT_EQ(enrol(*store_, "nobody", "vascular-basics").error().code, ErrorCode::not_found);
 }
 
 TEST_F(Curricula, WithAWrongStatusOrUnreadableTextAreRefused) {
-  CurriculumVersion version = basics("1.0.0", {kLinear});
+  CurriculumVersion version = basics("1.0.0", {linear});
   version.status = "secret";
   EXPECT_EQ(publish_curriculum(*store_, version, "system").error().code, ErrorCode::invalid_input);
-  version = basics("1.0.0", {kLinear});
+  version = basics("1.0.0", {linear});
   version.yaml = "\xff";
   EXPECT_EQ(publish_curriculum(*store_, version, "system").error().code, ErrorCode::invalid_input);
-  version = basics("1.0.0", {kLinear, kLinear});
+  version = basics("1.0.0", {linear, linear});
   EXPECT_EQ(publish_curriculum(*store_, version, "system").error().code, ErrorCode::conflict);
   EXPECT_TRUE(curriculum_versions(*store_)->empty());
 }
 
 TEST_F(Curricula, EnrollingTwiceGivesTheSameEnrolment) {
-  publish(basics("1.0.0", {kLinear}));
+  publish(basics("1.0.0", {linear}));
   const std::string anna = add_trainee(*store_, "anna").id;
   const std::string bob = add_trainee(*store_, "bob").id;
   const auto first = enrol(*store_, anna, "vascular-basics");
   ASSERT_TRUE(first);
-  publish(basics("1.1.0", {kLinear}));
+  publish(basics("1.1.0", {linear}));
   EXPECT_EQ(*enrol(*store_, anna, "vascular-basics"), *first);
   EXPECT_NE(*enrol(*store_, bob, "vascular-basics"), *first);
 }

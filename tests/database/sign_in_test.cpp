@@ -9,8 +9,8 @@ namespace {
 using base::ErrorCode;
 using database::WebSession;
 
-const char* const kPast = "2020-01-01T00:00:00.000Z";
-const char* const kFuture = "2999-01-01T00:00:00.000Z";
+constexpr const char* kPast = "2020-01-01T00:00:00.000Z";
+constexpr const char* kFuture = "2999-01-01T00:00:00.000Z";
 
 class SignIn : public testing::Test {
  protected:
