@@ -25,12 +25,12 @@ int edge_between(int corner_a, int corner_b) {
 // Corners of each face in order, counter-clockwise seen from outside the cell.
 std::array<std::array<int, 4>, 6> face_corners() {
   std::array<std::array<int, 4>, 6> faces{};
-  for (int axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const int u = 1 << ((axis + 1) % 3);
     const int v = 1 << ((axis + 2) % 3);
     const int high = 1 << axis;
-    faces[static_cast<std::size_t>(2 * axis)] = {0, v, u | v, u};
-    faces[static_cast<std::size_t>(2 * axis + 1)] = {high, high | u, high | u | v, high | v};
+    faces[2 * axis] = {0, v, u | v, u};
+    faces[2 * axis + 1] = {high, high | u, high | u | v, high | v};
   }
   return faces;
 }
@@ -145,12 +145,13 @@ CellTriangles triangles_of(int mask) {
 const std::array<CellEdge, 12>& cell_edges() {
   static const std::array<CellEdge, 12> edges = [] {
     std::array<CellEdge, 12> made{};
+    std::size_t e = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const int low = axis == 0 ? 1 : 0;
       const int high = axis == 2 ? 1 : 2;
       for (int k = 0; k < 4; ++k) {
         const int from = ((k & 1) << low) | ((k >> 1) << high);
-        made[static_cast<std::size_t>(4 * axis + k)] = {from, from | (1 << axis), axis};
+        made[e++] = {from, from | (1 << axis), axis};
       }
     }
     return made;

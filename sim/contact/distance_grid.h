@@ -24,9 +24,9 @@
 namespace sim {
 
 struct DistanceGridOptions {
-  double spacing = 0.5;                       // mm between grid points
-  double band = 3.0;                          // mm on either side of the wall
-  std::size_t max_bytes = 300 * 1000 * 1000;  // of grid data
+  double spacing = 0.5;                 // mm between grid points
+  double band = 3.0;                    // mm on either side of the wall
+  std::size_t max_bytes = 300'000'000;  // of grid data
 };
 
 class DistanceGrid final : public Wall {
@@ -46,7 +46,7 @@ class DistanceGrid final : public Wall {
  private:
   static constexpr int kCells = 8;            // per brick edge
   static constexpr int kPoints = kCells + 1;  // the last layer is the next brick's first
-  static constexpr std::size_t kBrickPoints = kPoints * kPoints * kPoints;
+  static constexpr std::size_t kBrickPoints = std::size_t{kPoints} * kPoints * kPoints;
 
   // Marks of bricks without data.
   static constexpr std::int32_t kInside = -1, kOutside = -2;

@@ -172,8 +172,8 @@ void TriangleTree::search(const Vec3& point, NearestTriangle& best) const {
       if (near.squared_distance < best.squared_distance) stack[depth++] = near;
       continue;
     }
-    for (std::int32_t i = 0; i < node.count; ++i) {
-      try_triangle(point, static_cast<std::size_t>(node.first + i), best);
+    for (std::int32_t slot = node.first; slot < node.first + node.count; ++slot) {
+      try_triangle(point, static_cast<std::size_t>(slot), best);
     }
   }
 }

@@ -141,12 +141,13 @@ TEST(DistanceGrid, MatchesBruteForceOverAllTriangles) {
 
 TEST(DistanceGrid, NormalIsTheSlopeOfTheDistance) {
   std::mt19937 random(24);
-  std::uniform_real_distribution<double> along(2.0, 38.0), across(-1.8, 1.8);
+  std::uniform_real_distribution<double> along(2.0, 38.0), across(-3.2, 3.2);
   const Vec3 axis = slanted_tube().direction.normalized();
   const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
   for (int i = 0; i < 2000; ++i) {
     const double a = across(random), b = across(random);
-    if (std::hypot(a, b) < 1.2) continue;  // the axis, where it has a kink
+    // as deep as an instrument's middle gets while its surface touches
+    if (std::hypot(a, b) < 1.8 || std::hypot(a, b) > 3.2) continue;
     const Vec3 p = along(random) * axis + a * u + b * v;
     const WallSample here = sample_at(slanted_grid(), p);
     constexpr double kStep = 1e-2;  // mm; distances are stored to 1e-7 of a millimetre
@@ -189,11 +190,11 @@ TEST(DistanceGrid, NothingOutThereIsFree) {
 TEST(DistanceGrid, InTheMiddleOfAWideLumenTheWallIsFarAway) {
   TubeDescription tube;
   tube.start_radius = 12.0;
-  tube.legs = {{30.0, 0.0, 0.0, 12.0}};
-  const DistanceGrid grid(tube_surface(tube, 1.0));
-  EXPECT_EQ(sample_at(grid, Vec3(0.0, 0.0, 15.0)).distance, 3.0);
-  EXPECT_EQ(sample_at(grid, Vec3(4.0, 0.0, 15.0)).distance, 3.0);
-  EXPECT_NEAR(sample_at(grid, Vec3(10.0, 0.0, 15.0)).distance, 2.0, 0.01);
+  tube.legs = {{10.0, 0.0, 0.0, 12.0}};
+  const DistanceGrid grid(tube_surface(tube, 2.0), {.spacing = 1.0});
+  EXPECT_EQ(sample_at(grid, Vec3(0.0, 0.0, 5.0)).distance, 3.0);
+  EXPECT_EQ(sample_at(grid, Vec3(4.0, 0.0, 5.0)).distance, 3.0);
+  EXPECT_NEAR(sample_at(grid, Vec3(10.0, 0.0, 5.0)).distance, 2.0, 0.01);
 }
 
 TEST(DistanceGrid, IsTheSameEveryTime) {

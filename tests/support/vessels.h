@@ -9,8 +9,8 @@
 
 namespace support {
 
-// Radius 4 mm, 480 mm long: straight to 150, two opposite bends of 85 degrees and 54 mm radius with
-// 40 mm between them, straight from 350.
+// Radius 4 mm, 480 mm long: straight to 120, two opposite bends of 85 degrees and 30 mm radius with
+// 65.5 mm between them, straight from 274.5.
 sim::TubeDescription s_bend_tube();
 // Built once per process.
 const sim::Vessel& s_bend_vessel();
