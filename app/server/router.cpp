@@ -82,9 +82,15 @@ struct Admitted {
   std::optional<Viewer> viewer;
 };
 
-std::optional<Response> check_change(const Route& route, const Request& request, const Site& site) {
-  if (route.method == Method::get && !route.live) return std::nullopt;
-  if (!is_same_origin(request, site.options, route.live)) {
+// What the request is about to do: a channel is opened across origins without asking, so that its
+// page must say where it comes from.
+enum class Purpose { answer, channel };
+
+std::optional<Response> check_origin(const Route& route, Purpose purpose, const Request& request,
+                                     const Site& site) {
+  const bool channel = purpose == Purpose::channel;
+  if (route.method == Method::get && !channel) return std::nullopt;
+  if (!is_same_origin(request, site.options, channel)) {
     return problem(403, "wrong_origin", "This request does not come from this server's own page.");
   }
   return std::nullopt;
@@ -104,12 +110,12 @@ std::optional<Response> check_viewer(const Route& route, const Request& request,
 }
 
 // Passes the gate, or says why not.
-std::optional<Response> pass_gate(const Request& request, database::Store& store, Site& site,
-                                  Admitted& admitted) {
+std::optional<Response> pass_gate(const Request& request, Purpose purpose, database::Store& store,
+                                  Site& site, Admitted& admitted) {
   admitted.route = find_route(request.method, request.path, admitted.parameters);
   if (admitted.route == nullptr) return no_such_route(request.path);
   const Route& route = *admitted.route;
-  if (auto refusal = check_change(route, request, site)) return refusal;
+  if (auto refusal = check_origin(route, purpose, request, site)) return refusal;
 
   auto viewer = viewer_of(store, request, site.session_rules());
   if (!viewer) return problem(viewer.error());
@@ -126,7 +132,8 @@ std::optional<Response> pass_gate(const Request& request, database::Store& store
 Response handle(const Request& request, database::Store& store, Site& site) {
   if (!is_api(request.path)) return static_file(request, site.options.web_root);
   Admitted admitted;
-  if (auto refusal = pass_gate(request, store, site, admitted)) return *std::move(refusal);
+  if (auto refusal = pass_gate(request, Purpose::answer, store, site, admitted))
+    return *std::move(refusal);
   if (admitted.route->live) {
     Response response = problem(426, "upgrade_required", "This address speaks WebSocket.");
     response.headers.emplace_back("Upgrade", "websocket");
@@ -140,7 +147,7 @@ Response handle(const Request& request, database::Store& store, Site& site) {
 LiveAdmission admit(const Request& request, database::Store& store, Site& site) {
   LiveAdmission admission;
   Admitted admitted;
-  admission.refusal = pass_gate(request, store, site, admitted);
+  admission.refusal = pass_gate(request, Purpose::channel, store, site, admitted);
   if (admission.refusal) return admission;
   if (!admitted.route->live) {
     admission.refusal = problem(400, "not_live", "This address does not speak WebSocket.");

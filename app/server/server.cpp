@@ -11,6 +11,7 @@
 #include "app/server/router.h"
 #include "app/server/same_origin.h"
 #include "app/server/site.h"
+#include "app/session/build_info.h"
 #include "database/trials.h"
 
 namespace app {
@@ -46,8 +47,9 @@ struct Server::Parts {
     return base::Done{};
   }
 
-  // So that the first "Start" does not wait for its vessel.
+  // So that the first "Start" waits neither for its vessel nor for the program's own hash.
   void build_scenes() {
+    [[maybe_unused]] const std::string& build = build_id();
     auto store = database::Store::open(site.options.database_url);
     if (!store) return;
     const auto curriculum = site.curricula.current(**store, site.scenes.library().catalogue());

@@ -37,11 +37,16 @@ std::vector<const database::StoredTrial*> TrainingRecord::trials_of(
 
 base::Result<TrainingRecord> training_record(database::Store& store, Site& site,
                                              const std::string& person_id) {
-  TrainingRecord record;
   auto curriculum = site.curricula.current(store, site.scenes.library().catalogue());
   if (!curriculum) return curriculum.error();
-  record.curriculum = *std::move(curriculum);
+  return training_record(store, *std::move(curriculum), person_id);
+}
 
+base::Result<TrainingRecord> training_record(
+    database::Store& store, std::shared_ptr<const curricula::Curriculum> curriculum,
+    const std::string& person_id) {
+  TrainingRecord record;
+  record.curriculum = std::move(curriculum);
   database::TrialFilter filter;
   filter.person_id = person_id;
   auto trials = database::trials(store, filter);

@@ -26,6 +26,10 @@ struct TrainingRecord {
 
 base::Result<TrainingRecord> training_record(database::Store& store, Site& site,
                                              const std::string& person_id);
+// The same, for many people of one curriculum.
+base::Result<TrainingRecord> training_record(
+    database::Store& store, std::shared_ptr<const curricula::Curriculum> curriculum,
+    const std::string& person_id);
 
 // The value of a metric in a stored trial.
 std::optional<double> metric_value(const database::StoredTrial& trial, const std::string& metric);

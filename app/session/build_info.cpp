@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <fstream>
-#include <iterator>
+#include <span>
 #include <vector>
 
 #include "app/session/recording.h"
@@ -12,9 +12,11 @@ namespace app {
 const std::string& build_id() {
   static const std::string kBuild = [] {
     std::ifstream file("/proc/self/exe", std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-    const auto* data = reinterpret_cast<const std::byte*>(bytes.data());
-    return std::string(kVersion) + "+" + sha256_hex({data, bytes.size()}).substr(0, 12);
+    file.seekg(0, std::ios::end);
+    std::vector<char> bytes(static_cast<std::size_t>(file.tellg()));
+    file.seekg(0);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return std::string(kVersion) + "+" + sha256_hex(std::as_bytes(std::span(bytes))).substr(0, 12);
   }();
   return kBuild;
 }

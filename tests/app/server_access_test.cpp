@@ -161,7 +161,8 @@ TEST(Access, AnInstructorListsTheOwnGroupsAndAnAdministratorEverybody) {
   RunningServer running;
   const auto names = [](const Answer& answer) {
     std::set<std::string> found;
-    for (const auto& person : answer.json()["people"]) found.insert(person["name"]);
+    const nlohmann::json body = answer.json();
+    for (const auto& person : body["people"]) found.insert(person["name"]);
     return found;
   };
   const std::set<std::string> seen = names(running.client_of("ina").get("/api/people"));

@@ -8,6 +8,7 @@
 #include "app/server/passwords.h"
 #include "app/server/problem.h"
 #include "app/server/routes/handlers.h"
+#include "app/server/secrets.h"
 #include "app/server/setup_link.h"
 #include "app/server/site.h"
 
@@ -110,18 +111,19 @@ base::Result<Response> post_session(Call& call) {
   const std::string name = (*body)["name"], password = (*body)["password"];
   Site& site = call.site;
   const double now = steady_seconds();
+  const std::string key = token_hash(name);  // of one length, however long the name
   const double wait =
-      std::max(site.names.wait(name, now), site.clients.wait(call.request.client, now));
+      std::max(site.names.wait(key, now), site.clients.wait(call.request.client, now));
   if (wait > 0.0) return too_often(wait);
 
   const auto person = check_credentials(call.store, name, password);
   if (!person) return person.error();
   if (!*person) {
-    site.names.failed(name, now);
+    site.names.failed(key, now);
     site.clients.failed(call.request.client, now);
     return wrong_credentials();
   }
-  site.names.succeeded(name);
+  site.names.succeeded(key);
   const auto rehashed = rehash_if_needed(call.store, **person, password);
   if (!rehashed) return rehashed.error();
   return sign_in(call, **person);
