@@ -36,7 +36,7 @@ class [[nodiscard]] Result {
   explicit operator bool() const { return has_value(); }
 
   const T& operator*() const& { return get<T>(); }
-  T&& operator*() && { return std::move(const_cast<T&>(get<T>())); }  // move the value out
+  T operator*() && { return std::move(const_cast<T&>(get<T>())); }  // moves the value out
   const T* operator->() const { return &get<T>(); }
   const Error& error() const { return get<Error>(); }
 
