@@ -21,24 +21,24 @@ class RodBentNode {
 
   RodBentNode(const RodState& state, std::size_t i, double inverse_length_e,
               double inverse_length_f)
-      : te(state.tangent[i - 1]),
-        tf(state.tangent[i]),
-        inverse_e(inverse_length_e),
-        inverse_f(inverse_length_f) {
-    chi = 1.0 + te.dot(tf);
-    kb = 2.0 / chi * te.cross(tf);
-    tt = (te + tf) / chi;
-    set_material(state, i - 1, te, m1e, m2e);
-    set_material(state, i, tf, m1f, m2f);
-    d2 = (m2e + m2f) / chi;
-    kappa = 0.5 * kb.dot(m2e + m2f);
+      : te_(state.tangent[i - 1]),
+        tf_(state.tangent[i]),
+        inverse_e_(inverse_length_e),
+        inverse_f_(inverse_length_f) {
+    chi_ = 1.0 + te_.dot(tf_);
+    kb_ = 2.0 / chi_ * te_.cross(tf_);
+    tt_ = (te_ + tf_) / chi_;
+    set_material(state, i - 1, te_, m1e_, m2e_);
+    set_material(state, i, tf_, m1f_, m2f_);
+    d2_ = (m2e_ + m2f_) / chi_;
+    kappa_ = 0.5 * kb_.dot(m2e_ + m2f_);
   }
 
-  double value() const { return kappa; }
-  Vec3 by_e() const { return inverse_e * (-kappa * tt + tf.cross(d2)); }
-  Vec3 by_f() const { return inverse_f * (-kappa * tt - te.cross(d2)); }
-  double by_twist_e() const { return -0.5 * kb.dot(m1e); }
-  double by_twist_f() const { return -0.5 * kb.dot(m1f); }
+  double value() const { return kappa_; }
+  Vec3 by_e() const { return inverse_e_ * (-kappa_ * tt_ + tf_.cross(d2_)); }
+  Vec3 by_f() const { return inverse_f_ * (-kappa_ * tt_ - te_.cross(d2_)); }
+  double by_twist_e() const { return -0.5 * kb_.dot(m1e_); }
+  double by_twist_f() const { return -0.5 * kb_.dot(m1f_); }
   Second second_derivatives() const;
 
  private:
@@ -52,11 +52,12 @@ class RodBentNode {
     m2 = c * across - s * d1;
   }
 
-  Vec3 te, tf, kb, tt, d2;      // tangents, curvature binormal, (te + tf) / chi, (m2e + m2f) / chi
-  Vec3 m1e, m1f, m2e, m2f;      // material directions
-  double inverse_e, inverse_f;  // 1/mm
-  double chi = 0.0;
-  double kappa = 0.0;
+  Vec3 te_, tf_;                  // tangents
+  Vec3 kb_, tt_, d2_;             // curvature binormal, (te + tf) / chi, (m2e + m2f) / chi
+  Vec3 m1e_, m1f_, m2e_, m2f_;    // material directions
+  double inverse_e_, inverse_f_;  // 1/mm
+  double chi_ = 0.0;
+  double kappa_ = 0.0;
 };
 
 }  // namespace sim

@@ -18,6 +18,8 @@ RodContact::RodContact(const RodMesh& mesh, const RodSettings& settings, const W
       radius_(mesh.radius),
       friction_(mesh.friction),
       onset_(settings.contact_onset),
+      soft_depth_(settings.contact_soft_depth),
+      hardening_(settings.contact_hardening),
       wall_curvature_(settings.wall_curvature),
       share_(mesh.node_count(), 1.0),
       end_(mesh.node_count()),
@@ -27,6 +29,9 @@ RodContact::RodContact(const RodMesh& mesh, const RodSettings& settings, const W
     normal_stiffness_.push_back(settings.contact_stiffness * length / kReferenceLength);
     friction_stiffness_.push_back(settings.friction_stiffness * length / kReferenceLength);
   }
+  // the tip is a place, not a length: what it presses into must not depend on the mesh
+  normal_stiffness_[0] = settings.contact_stiffness;
+  friction_stiffness_[0] = settings.friction_stiffness;
   contacts_.reserve(mesh.node_count());
 }
 
@@ -53,6 +58,11 @@ void RodContact::evaluate(const RodState& state, const Vec3Array& start,
     } else {
       contact.force = stiffness * (depth - 0.5 * onset_);
       contact.stiffness = stiffness;
+    }
+    if (depth > soft_depth_) {
+      const double beyond = depth - soft_depth_;
+      contact.force += 0.5 * stiffness * hardening_ * beyond * beyond;
+      contact.stiffness += stiffness * hardening_ * beyond;
     }
     evaluate_friction(state, start, start_twist, contact);
   }

@@ -2,7 +2,8 @@
 // Newton's method needs.
 //
 // Normal force f(d) for a node d deep in the wall: kn d^2 / (2 w) up to the onset w, then
-// kn (d - w/2). Friction is one 2-vector per node, along the rod and around it:
+// kn (d - w/2), and beyond the soft depth s another kn a (d - s)^2 / 2. Friction is one 2-vector
+// per node, along the rod and around it:
 //
 //   slip in the step    s = (tau . dx, b . dx + r dpsi)     tau: along, b: around the rod
 //   bristle force       f* = kt (z + s), cut back to mu f   z: elastic slip kept from before
@@ -64,7 +65,7 @@ class RodContact {
                          const std::vector<double>& start_twist, Contact& contact) const;
 
   const Wall* wall_;
-  double radius_, friction_, onset_, wall_curvature_;
+  double radius_, friction_, onset_, soft_depth_, hardening_, wall_curvature_;
   std::vector<double> normal_stiffness_, friction_stiffness_;  // N/mm per node
   std::vector<double> share_;
   std::size_t end_;

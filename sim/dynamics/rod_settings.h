@@ -18,9 +18,12 @@ struct RodSettings {
   double drag = 1e-6;            // N s/mm per mm of length
   double twist_drag = 1e-7;      // N mm s per mm of length
 
-  // contact, for a node that stands for 3 mm of length; scaled with the length it stands for
+  // contact, for a node that stands for 3 mm of length, and for the tip; scaled with the length
+  // that a node stands for
   double contact_stiffness = 10.0;    // N/mm
   double contact_onset = 0.1;         // mm, over which the stiffness builds up
+  double contact_soft_depth = 0.4;    // mm, beyond which the wall stiffens, so as to hold anything
+  double contact_hardening = 25.0;    // 1/mm, growth of the stiffness from there, as a multiple
   double friction_stiffness = 5.0;    // N/mm, of the bristles
   double wall_curvature = 1.0 / 3.0;  // 1/mm, of the lumen across its axis; only for the tangent
 

@@ -102,8 +102,9 @@ base::Status run_pre_curved_tip(CaseRun& run) {
   RodSettings settings = static_settings(length, stiffness, scale);
   // a wall that gives way by a few thousandths of the height, so that only the tip touches it
   const double wall_stiffness = 1e3 * scale / free_height;
-  settings.contact_stiffness = wall_stiffness * 3.0 / mesh.cell_length[0];
+  settings.contact_stiffness = wall_stiffness;
   settings.contact_onset = 1e-3 * free_height;
+  settings.contact_hardening = 0.0;
   // the node touches when it is a radius away from the plane
   const auto wall_at = [](double y) {
     return PlaneWall(Vec3(0.0, y + 0.5 * kDiameter, 0.0), -Vec3::UnitY());

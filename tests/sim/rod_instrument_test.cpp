@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -146,6 +147,70 @@ TEST(RodInstrument, ContactForceDoesNotDependOnTheMesh) {
   }
   EXPECT_GT(mean[1], 0.1);
   EXPECT_NEAR(mean[0], mean[1], 0.05 * mean[1]);
+}
+
+TEST(RodInstrument, HandleForceDoesNotDependOnTheMesh) {
+  double mean[2] = {};
+  for (int fine = 0; fine < 2; ++fine) {
+    const TubeWall tube = bent_tube(30.0, 30.0, 1.5);
+    RodInstrument rod(scenes::uniform_wire(400.0, 500.0, 0.15), Access{}, &tube, 5.0,
+                      element_length(fine == 0 ? 3.0 : 1.0));
+    Handle handle{rod};
+    for (int i = 0; i < 4500; ++i) {
+      ASSERT_TRUE(handle.move(0.03, 0.0));
+      if (i >= 3500) mean[fine] += rod.handle_force() / 1000.0;
+    }
+  }
+  EXPECT_NEAR(mean[0], mean[1], 0.01 * mean[1]);
+}
+
+TEST(RodInstrument, TorqueOfATurningWireIsItsFriction) {
+  // turned steadily, every contact slips around the wire: torque = mu r (sum of normal forces)
+  constexpr double kFriction = 0.15;
+  const TubeWall tube = bent_tube(30.0, 30.0, 1.5);
+  const Instrument wire = scenes::uniform_wire(400.0, 500.0, kFriction);
+  RodInstrument rod(wire, Access{}, &tube, 5.0);
+  Handle handle{rod};
+  for (int i = 0; i < 4000; ++i) ASSERT_TRUE(handle.move(0.03, 0.0));
+  for (int i = 0; i < 2000; ++i) ASSERT_TRUE(handle.move(0.0, 2e-3));
+  double torque = 0.0;
+  double load = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_TRUE(handle.move(0.0, 2e-3));
+    torque += rod.handle_torque();
+    load += rod.contact_load();
+  }
+  // the rest is the drag of turning, 3e-5 N mm
+  EXPECT_NEAR(torque, kFriction * 0.5 * wire.outer_diameter * load, 0.005 * torque);
+}
+
+TEST(RodInstrument, BlockedTipStaysInside) {
+  // a wall across the tube, against which the tip is pressed with more than a hand's force
+  class ClosedTube final : public Wall {
+   public:
+    explicit ClosedTube(double end)
+        : tube_(bent_tube(400.0, 30.0, 0.1)), end_(Vec3(0.0, 0.0, end), -Vec3::UnitZ()) {}
+    void sample(std::span<const Vec3> points, std::span<WallSample> samples) const override {
+      tube_.sample(points, samples);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        WallSample end;
+        end_.sample({&points[i], 1}, {&end, 1});
+        if (end.distance < samples[i].distance) samples[i] = end;
+      }
+    }
+
+   private:
+    TubeWall tube_;
+    PlaneWall end_;
+  };
+  const ClosedTube wall(60.0);
+  RodInstrument rod(scenes::stiff_wire(400.0, 0.1), Access{}, &wall, 50.0);
+  Handle handle{rod};
+  for (int i = 0; i < 520; ++i) ASSERT_TRUE(handle.move(0.02, 0.0));
+  EXPECT_GT(rod.handle_force(), 5.0);
+  EXPECT_LT(rod.tip().z(), 60.5);
+  for (int i = 0; i < 1500; ++i) ASSERT_TRUE(handle.move(-0.02, 0.0));
+  EXPECT_LT(rod.contact_force(), 0.1);
 }
 
 TEST(RodInstrument, FrictionMakesPushingHarder) {
