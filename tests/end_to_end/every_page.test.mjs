@@ -1,7 +1,7 @@
 // Every view is opened as the role it is for, photographed at two sizes and checked with axe.
 import {after, afterEach, before, test} from 'node:test';
 import {inspect, launch, small, Visitor} from './support/browser.mjs';
-import {steerUntil} from './support/hand.mjs';
+import {goOn, steerUntil} from './support/hand.mjs';
 import {newDataFolder, Program, removeDataFolder} from './support/program.mjs';
 
 let browser;
@@ -12,7 +12,7 @@ let visitor;
 before(async () => {
   folder = newDataFolder();
   // a few trials of the example group, so that curves and comparisons have something to show
-  await Program.load(folder, 2);
+  await Program.load(folder, 1);
   program = await Program.start('demo', folder, {more: ['--example-trials', '0']});
   browser = await launch();
 }, {timeout: 600_000});
@@ -55,9 +55,8 @@ test('the pages of a trainee', {timeout: 300_000}, async () => {
   await page.getByRole('button', {name: 'Start'}).click();
   await page.locator('[data-testid="overlay"][data-kind="start"]').waitFor({timeout: 60_000});
   await inspect(page, 'console-start');
-  await page.keyboard.press('Enter');
-  await page.getByTestId('overlay').waitFor({state: 'detached'});
   await page.setViewportSize(small);
+  await goOn(page);
   await steerUntil(page, (task) => task.value > 180, 120_000);
   await inspect(page, 'console');
   await page.keyboard.press('Escape');

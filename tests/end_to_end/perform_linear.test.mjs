@@ -1,8 +1,8 @@
 // A trainee performs the linear task by keyboard and reads the verdict; the instructor finds it.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
-import {launch, Visitor} from './support/browser.mjs';
-import {steerUntil} from './support/hand.mjs';
+import {launch, small, Visitor} from './support/browser.mjs';
+import {goOn, steerUntil} from './support/hand.mjs';
 import {newDataFolder, Program, removeDataFolder} from './support/program.mjs';
 
 let browser;
@@ -28,6 +28,7 @@ test('a trainee performs the linear task by keyboard and sees the verdict', {tim
   await trainee.signIn('trainee');
   await page.getByRole('heading', {name: 'My training'}).waitFor();
   await page.getByRole('link', {name: /^Linear/}).first().click();
+  await page.setViewportSize(small);
   await page.getByRole('button', {name: 'Start'}).click();
   await page.waitForURL(/\/console\//);
   trialId = decodeURIComponent(new URL(page.url()).pathname.split('/').pop());
@@ -35,8 +36,7 @@ test('a trainee performs the linear task by keyboard and sees the verdict', {tim
   const dialog = page.getByRole('dialog');
   await dialog.waitFor({timeout: 60_000});
   await page.getByRole('button', {name: 'Start'}).waitFor({timeout: 60_000});
-  await page.keyboard.press('Enter');
-  await dialog.waitFor({state: 'hidden'});
+  await goOn(page);
 
   const {verdict} = await steerUntil(page, (task) => task.verdict !== '', 420_000);
   assert.match(verdict, /^(Passed|Not passed)$/);

@@ -64,7 +64,7 @@ export class Visitor {
 
   async #checkAnswer(response) {
     const {pathname} = new URL(response.url());
-    if (!pathname.startsWith('/api/')) return;
+    if (!pathname.startsWith('/api/') || response.status() === 204) return;
     if (!(response.headers()['content-type'] ?? '').startsWith('application/json')) return;
     const method = response.request().method();
     const definition = definitionOf(method, pathname, response.status());

@@ -18,6 +18,8 @@ export function readTask(page) {
   });
 }
 
+const goesOnByEnter = new Set(['restored', 'paused']);
+
 const arrows = {feed: 'ArrowUp', retract: 'ArrowDown', clockwise: 'ArrowRight', 'counter-clockwise': 'ArrowLeft'};
 
 // "Feed to 350 mm" -> 350
@@ -57,9 +59,23 @@ export async function steerUntil(page, done, limit_ms) {
       if (done(task)) return task;
       if (Date.now() > end) throw new Error(`not done after ${limit_ms} ms: ${JSON.stringify(task)}`);
       await hold(page, held, keysFor(task));
+      // a machine under load may lose the line for a moment: a person presses Enter and goes on
+      if (goesOnByEnter.has(task.overlay)) await page.keyboard.press('Enter');
       await page.waitForTimeout(15);
     }
   } finally {
     await hold(page, held, []);
+  }
+}
+
+/** Presses Enter at whatever notice waits for it until none lies over the picture. */
+export async function goOn(page, limit_ms = 120_000) {
+  const end = Date.now() + limit_ms;
+  for (;;) {
+    const {overlay} = await readTask(page);
+    if (overlay === '') return;
+    if (Date.now() > end) throw new Error(`the notice "${overlay}" did not go away`);
+    if (overlay === 'start' || goesOnByEnter.has(overlay)) await page.keyboard.press('Enter');
+    await page.waitForTimeout(250);
   }
 }

@@ -26,13 +26,14 @@ export function ChartView({chart, children, className = ''}: Props) {
       {children}
       {asTable
         ? <DataTable table={chart.table} caption={chart.title} />
-        : <Drawing svg={chart.svg} label={chart.summary} />}
+        : <Drawing svg={chart.svg} />}
       <figcaption className="small muted">{chart.summary}</figcaption>
     </figure>
   );
 }
 
-// The one place that sets markup: the drawing comes from our own server, escaped where it is made.
-function Drawing({svg, label}: {svg: string; label: string}) {
-  return <div className={styles.drawing} role="img" aria-label={label} dangerouslySetInnerHTML={{__html: svg}} />;
+// The one place that sets markup: the drawing comes from our own server, escaped where it is made,
+// and carries its own role, title and description.
+function Drawing({svg}: {svg: string}) {
+  return <div className={styles.drawing} dangerouslySetInnerHTML={{__html: svg}} />;
 }
