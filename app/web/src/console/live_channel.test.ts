@@ -88,11 +88,23 @@ describe('the live channel', () => {
     header.setUint32(0, frameMagic, true);
     header.setUint16(4, frameVersion, true);
     newest().onmessage?.({data: header.buffer});
+    vi.advanceTimersByTime(1);
     expect(frames).toBe(1);
     newest().onmessage?.({data: new ArrayBuffer(7)});
     newest().onmessage?.({data: '{broken'});
+    vi.advanceTimersByTime(1);
     expect(frames).toBe(1);
     expect(problems).toHaveLength(2);
+  });
+
+  it('reads only the newest of frames that have piled up', () => {
+    newest().accept();
+    const header = new DataView(new ArrayBuffer(frameHeaderSize));
+    header.setUint32(0, frameMagic, true);
+    header.setUint16(4, frameVersion, true);
+    for (let i = 0; i < 100; ++i) newest().onmessage?.({data: header.buffer});
+    vi.advanceTimersByTime(1);
+    expect(frames).toBe(1);
   });
 
   it('comes back by itself after a lost line, with longer and longer pauses', async () => {
@@ -115,6 +127,18 @@ describe('the live channel', () => {
     newest().accept();
     await vi.advanceTimersByTimeAsync(6000);
     expect(connections).toContain('lost');
+  });
+
+  it('does not take a busy browser for a dead line', () => {
+    newest().accept();
+    const socket = newest();
+    vi.advanceTimersByTime(1500);
+    // ten seconds in which nothing ran; the timer fires once, then what had come is read
+    vi.setSystemTime(Date.now() + 10_000);
+    vi.advanceTimersByTime(500);
+    socket.say({type: 'pong', sent_ms: 0});
+    vi.advanceTimersByTime(3000);
+    expect(connections).toEqual(['open']);
   });
 
   it('gives up an attempt that gets no answer', async () => {

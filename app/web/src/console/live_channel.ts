@@ -22,7 +22,7 @@ export interface ChannelListener {
 
 const pingInterval_ms = 1000;
 const openingLimit_ms = 5000;   // a connection that takes longer is given up and tried anew
-const silenceLimit_ms = 4000;   // no pong and no frame for so long: the line is dead
+const silentPings = 4;            // so many without a pong or a frame: the line is dead
 const retryDelays_ms = [250, 500, 1000, 2000, 4000];
 const handover_ms = 15_000;     // how long the server may still believe in our own lost line
 
@@ -32,7 +32,9 @@ export class LiveChannel {
   private retryTimer: ReturnType<typeof setTimeout> | undefined;
   private openingTimer: ReturnType<typeof setTimeout> | undefined;
   private pingTimer: ReturnType<typeof setInterval> | undefined;
-  private heard_ms = 0;
+  private unheard = 0;
+  private newest: ArrayBuffer | null = null;
+  private decodeTimer: ReturnType<typeof setTimeout> | undefined;
   private lost_ms = -Infinity;
   private state: Connection = 'connecting';
 
@@ -78,25 +80,46 @@ export class LiveChannel {
 
   private opened(): void {
     clearTimeout(this.openingTimer);
-    this.heard_ms = performance.now();
+    this.unheard = 0;
     this.enter('open');
     this.ping();
     this.pingTimer = setInterval(() => this.ping(), pingInterval_ms);
   }
 
+  // Counts pings instead of seconds: a browser that was busy for some seconds finds what came
+  // meanwhile before the next ping, and its line is not dead.
   private ping(): void {
-    if (performance.now() - this.heard_ms > silenceLimit_ms) this.dropped();
+    this.unheard += 1;
+    if (this.unheard > silentPings) this.dropped();
     else this.send({type: 'ping', sent_ms: performance.now()});
   }
 
   private received(data: ArrayBuffer | string): void {
-    this.heard_ms = performance.now();
+    this.unheard = 0;
+    if (typeof data === 'string') {
+      this.attempt(() => this.noticed(JSON.parse(data) as ServerNotice));
+    } else {
+      // where frames have piled up only the newest is worth the work
+      this.newest = data;
+      this.decodeTimer ??= setTimeout(() => this.decode(), 0);
+    }
+  }
+
+  private decode(): void {
+    this.decodeTimer = undefined;
+    const bytes = this.newest;
+    this.newest = null;
+    if (!bytes) return;
+    this.attempt(() => {
+      const frame = decodeFrame(bytes);
+      this.retries = 0;
+      this.listener.frame(frame);
+    });
+  }
+
+  private attempt(read: () => void): void {
     try {
-      if (typeof data === 'string') this.noticed(JSON.parse(data) as ServerNotice);
-      else {
-        this.retries = 0;
-        this.listener.frame(decodeFrame(data));
-      }
+      read();
     } catch (error) {
       this.listener.problem(error instanceof Error ? error.message : 'The server sent something unreadable.');
     }
@@ -168,6 +191,9 @@ export class LiveChannel {
     clearTimeout(this.retryTimer);
     clearTimeout(this.openingTimer);
     clearInterval(this.pingTimer);
+    clearTimeout(this.decodeTimer);
+    this.decodeTimer = undefined;
+    this.newest = null;
     const socket = this.socket;
     this.socket = null;
     if (!socket) return;
