@@ -25,16 +25,22 @@ std::vector<double> round_ticks(double low, double high, int count) {
   return ticks;
 }
 
+std::vector<std::string> tick_texts(const std::vector<double>& ticks) {
+  const int decimals = common_decimals(ticks);
+  std::vector<std::string> words;
+  for (const double tick : ticks) words.push_back(fixed(tick, decimals));
+  return words;
+}
+
 Scale draw_value_axis(Svg& svg, const Frame& frame, double low, double high,
                       const std::string& unit) {
   const std::vector<double> ticks = round_ticks(low, high, 5);
   const Scale scale{ticks.front(), ticks.back(), svg.height() - frame.bottom, frame.top};
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
-  const int decimals = step >= 1.0 && step == std::floor(step) ? 0 : (step >= 0.1 ? 1 : 2);
-  for (const double tick : ticks) {
-    const double y = scale(tick);
+  const std::vector<std::string> words = tick_texts(ticks);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double y = scale(ticks[i]);
     svg.line({frame.left, y}, {svg.width() - frame.right, y}, {colour::kGrid, 1.0, "", "grid"});
-    svg.text({frame.left - 8.0, y + 4.0}, fixed(tick, decimals), Anchor::end, colour::kText3, "ax");
+    svg.text({frame.left - 8.0, y + 4.0}, words[i], Anchor::end, colour::kText3, "ax");
   }
   svg.text({frame.left - 8.0, frame.top - 12.0}, unit, Anchor::end, colour::kText3, "ax");
   return scale;

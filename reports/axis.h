@@ -20,6 +20,9 @@ struct Scale {
 // About `count` round values that lie within or just around [low, high]: 200, 250, 300, ...
 std::vector<double> round_ticks(double low, double high, int count);
 
+// All with the same decimals, as many as the finest needs.
+std::vector<std::string> tick_texts(const std::vector<double>& ticks);
+
 // The frame of a chart with values upwards and something counted to the right.
 struct Frame {
   double left = 44.0, right = 120.0, top = 26.0, bottom = 34.0;  // margins, px

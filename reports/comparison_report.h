@@ -14,11 +14,12 @@ namespace reports {
 struct ComparisonSubject {
   std::string exercise_id;
   std::string exercise_title;
-  std::string dataset;        // paper | live | simulated
-  std::string dataset_title;  // "Published data, 2017: six participants"
-  std::string apparatus;      // whose simulator the trials were made on
-  std::string data_sha256;    // over the rows, for the footer
-  std::string program;        // version and build, for the footer
+  std::string dataset;                // paper | live | simulated
+  std::string dataset_title;          // "Published data, 2017: six participants"
+  std::string apparatus;              // whose simulator the trials were made on
+  std::string data_sha256;            // over the rows, for the footer
+  std::string program;                // version and build, for the footer
+  std::string metric_title = "Time";  // what was measured in each trial, for headings
 };
 
 // One sentence that answers the question first.

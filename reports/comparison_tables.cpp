@@ -75,14 +75,19 @@ Table trials_table(const GroupComparison& comparison) {
     table.columns.push_back(person.participant + " (" + person.group + ")");
     for (const double trial : person.trials) ordinals.insert(static_cast<int>(trial));
   }
+  std::vector<double> all;
+  for (const ParticipantResult& person : comparison.participants) {
+    all.insert(all.end(), person.values.begin(), person.values.end());
+  }
+  const int decimals = common_decimals(all, 3);
   for (const int ordinal : ordinals) {
     std::vector<std::string> row = {std::to_string(ordinal)};
     for (const ParticipantResult& person : comparison.participants) {
       const auto at = std::find(person.trials.begin(), person.trials.end(), ordinal);
-      row.push_back(
-          at == person.trials.end()
-              ? ""
-              : plain(person.values[static_cast<std::size_t>(at - person.trials.begin())]));
+      row.push_back(at == person.trials.end()
+                        ? ""
+                        : fixed(person.values[static_cast<std::size_t>(at - person.trials.begin())],
+                                decimals));
     }
     table.rows.push_back(std::move(row));
   }

@@ -1,18 +1,20 @@
 #include "reports/csv.h"
 
-#include <cstdlib>
+#include <charconv>
 
 namespace reports {
 namespace {
 
+// Plain decimal numbers only: no leading blank or plus, and nothing hexadecimal.
 bool is_number(const std::string& text) {
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  return !text.empty() && end == text.c_str() + text.size();
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  return !text.empty() && read.ec == std::errc{} && read.ptr == end;
 }
 
 std::string guarded(const std::string& text) {
-  constexpr const char* kFormulaStarts = "=+-@\t\r";
+  constexpr const char* kFormulaStarts = "=+-@\t\r\n";
   const bool risky =
       !text.empty() && std::string(kFormulaStarts).find(text[0]) != std::string::npos;
   return risky && !is_number(text) ? "'" + text : text;

@@ -43,9 +43,11 @@ void draw_marker(Svg& svg, Point at, const Look& look, double size) {
   }
 }
 
-void draw_series(Svg& svg, const std::vector<Point>& points, const Look& look) {
-  svg.polyline(points, {look.colour, 1.5, kDashes[look.index % kDashes.size()], look.css_class});
-  for (const Point& point : points) draw_marker(svg, point, look);
+void draw_series(Svg& svg, const std::vector<Point>& points, const Look& look, double size) {
+  // the dash moves on each time the markers start again, so that 16 people differ
+  const std::size_t dash = (look.index + look.index / kDashes.size()) % kDashes.size();
+  svg.polyline(points, {look.colour, 1.5, kDashes[dash], look.css_class});
+  for (const Point& point : points) draw_marker(svg, point, look, size);
 }
 
 void draw_end_labels(Svg& svg, double x, std::vector<EndLabel> labels, double top, double bottom) {
@@ -62,8 +64,9 @@ void draw_end_labels(Svg& svg, double x, std::vector<EndLabel> labels, double to
     most = labels[i].y - kLabelHeight;
   }
   for (const EndLabel& label : labels) {
-    svg.text({x, label.y + 4.0}, label.words, Anchor::start, label.colour, label.css_class,
-             label.strong);
+    const std::string words = shortened(label.words, svg.width() - x - 4.0, true, true);
+    svg.text({x, label.y + 4.0}, words, Anchor::start, label.colour, label.css_class, true,
+             label.words);
   }
 }
 

@@ -21,14 +21,14 @@ Look novice_look(std::size_t index);
 Look own_look();
 
 void draw_marker(Svg& svg, Point at, const Look& look, double size = 4.0);
-void draw_series(Svg& svg, const std::vector<Point>& points, const Look& look);
+void draw_series(Svg& svg, const std::vector<Point>& points, const Look& look, double size = 4.0);
 
-// A label beside the end of a series. Labels that would overlap are moved apart.
+// A label beside the end of a series. Labels that would overlap are moved apart, and one that would
+// leave the drawing is shortened in its middle.
 struct EndLabel {
   double y = 0.0;
   std::string words;
   std::string colour, css_class;
-  bool strong = true;
 };
 void draw_end_labels(Svg& svg, double x, std::vector<EndLabel> labels, double top, double bottom);
 

@@ -1,5 +1,6 @@
 #include "reports/svg.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -12,6 +13,7 @@ std::string stroke_attributes(const Stroke& stroke) {
   std::string text =
       " stroke=\"" + stroke.colour + "\" stroke-width=\"" + coordinate(stroke.width) + "\"";
   if (!stroke.dash.empty()) text += " stroke-dasharray=\"" + stroke.dash + "\"";
+  if (stroke.opacity != 1.0) text += " opacity=\"" + coordinate(stroke.opacity) + "\"";
   if (!stroke.css_class.empty()) text += " class=\"" + stroke.css_class + "\"";
   return text;
 }
@@ -36,7 +38,36 @@ const char* anchor_text(Anchor anchor) {
   }
 }
 
+// The places where characters of a UTF-8 text begin, and its end.
+std::vector<std::size_t> character_starts(const std::string& text) {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) starts.push_back(i);
+  }
+  starts.push_back(text.size());
+  return starts;
+}
+
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+}
+
 }  // namespace
+
+double text_width(const std::string& words, bool strong) {
+  return (strong ? 6.9 : 6.5) * static_cast<double>(character_starts(words).size() - 1);
+}
+
+std::string shortened(const std::string& words, double width, bool strong, bool keep_end) {
+  if (text_width(words, strong) <= width) return words;
+  const std::vector<std::size_t> starts = character_starts(words);
+  const auto room =
+      static_cast<std::size_t>(std::max(2.0, std::floor(width / text_width("x", strong)) - 1.0));
+  const std::size_t tail = keep_end ? room / 2 : 0;
+  const std::size_t total = starts.size() - 1;
+  if (room >= total) return words;
+  return words.substr(0, starts[room - tail]) + "\u2026" + words.substr(starts[total - tail]);
+}
 
 std::string escaped(const std::string& text) {
   std::string safe;
@@ -58,7 +89,7 @@ std::string escaped(const std::string& text) {
         safe += "&#39;";
         break;
       default:
-        safe += c;
+        safe += is_control(c) ? "\uFFFD" : std::string(1, c);
     }
   }
   return safe;
@@ -73,9 +104,10 @@ std::string coordinate(double value) {
   return digits == "-0" ? "0" : digits;
 }
 
-Svg::Svg(std::string id, double width, double height, const std::string& title,
+Svg::Svg(const std::string& name, double width, double height, const std::string& title,
          const std::string& description)
     : width_(width), height_(height) {
+  const std::string id = escaped(name);
   const std::string size = coordinate(width) + " " + coordinate(height);
   body_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" +
           coordinate(width) + "\" height=\"" + coordinate(height) +
@@ -111,12 +143,13 @@ void Svg::rectangle(Point corner, double width, double height, const std::string
 }
 
 void Svg::text(Point at, const std::string& words, Anchor anchor, const std::string& colour,
-               const std::string& css_class, bool strong, double size) {
+               const std::string& css_class, bool strong, const std::string& full) {
   body_ += "<text x=\"" + coordinate(at.x) + "\" y=\"" + coordinate(at.y) + "\" text-anchor=\"" +
            anchor_text(anchor) + "\" fill=\"" + colour + "\" class=\"" + css_class + "\"";
   if (strong) body_ += " font-weight=\"600\"";
-  if (size != 12.0) body_ += " font-size=\"" + coordinate(size) + "\"";
-  body_ += ">" + escaped(words) + "</text>";
+  body_ += ">";
+  if (!full.empty() && full != words) body_ += "<title>" + escaped(full) + "</title>";
+  body_ += escaped(words) + "</text>";
 }
 
 void Svg::raw(const std::string& element) { body_ += element; }

@@ -8,8 +8,16 @@
 
 namespace reports {
 
-// Escapes text for element content and attribute values.
+// Escapes text for element content and attribute values. Control characters, which XML cannot
+// hold, become the replacement character.
 std::string escaped(const std::string& text);
+
+// Roughly how wide a text of 12 px is drawn; semibold is wider.
+double text_width(const std::string& words, bool strong = false);
+// The text, or its beginning and an ellipsis where it is wider than `width`. With `keep_end` the
+// middle is left out instead, because names often differ only at their end.
+std::string shortened(const std::string& words, double width, bool strong = false,
+                      bool keep_end = false);
 
 struct Point {
   double x = 0.0, y = 0.0;
@@ -21,6 +29,7 @@ struct Stroke {
   double width = 1.0;
   std::string dash;  // "6 4", or empty
   std::string css_class;
+  double opacity = 1.0;
 };
 
 enum class Anchor { start, middle, end };
@@ -28,7 +37,7 @@ enum class Anchor { start, middle, end };
 class Svg {
  public:
   // `id` prefixes the ids of title and description, which must be unique on a page.
-  Svg(std::string id, double width, double height, const std::string& title,
+  Svg(const std::string& id, double width, double height, const std::string& title,
       const std::string& description);
 
   void line(Point from, Point to, const Stroke& stroke);
@@ -37,8 +46,9 @@ class Svg {
             const std::string& css_class);
   void rectangle(Point corner, double width, double height, const std::string& fill,
                  const std::string& css_class, double radius = 0.0);
+  // A shortened text shows `full` when it is pointed at.
   void text(Point at, const std::string& words, Anchor anchor, const std::string& colour,
-            const std::string& css_class, bool strong = false, double size = 12.0);
+            const std::string& css_class, bool strong = false, const std::string& full = {});
   void raw(const std::string& element);  // an element made elsewhere, already escaped
 
   std::string finish() const;  // the whole <svg> element

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "assessment/number_text.h"
 #include "reports/axis.h"
 #include "reports/number.h"
 #include "reports/series.h"
@@ -11,7 +12,8 @@
 namespace reports {
 namespace {
 
-constexpr double kLabelWidth = 130.0;
+constexpr double kStepWidth = 560.0;
+constexpr std::size_t kListed = 6;  // steps the sentence names one by one
 constexpr double kTimelineWidth = 880.0;
 constexpr double kTimelineHeight = 260.0;
 constexpr int kBins = 420;            // columns the force curve is thinned to; each keeps its peak
@@ -40,11 +42,16 @@ std::vector<Point> thinned(const assessment::RecordedTrial& trial, const Scale& 
   return points;
 }
 
-double force_peak_after(const assessment::RecordedTrial& trial, double from, double until) {
-  double peak = 0.0;
+struct Peak {
+  double time = 0.0;   // s
+  double force = 0.0;  // N
+};
+
+Peak peak_within(const assessment::RecordedTrial& trial, double from, double until) {
+  Peak peak{from, 0.0};
   for (const assessment::Sample& sample : trial.samples) {
-    if (sample.time >= from && sample.time <= until) {
-      peak = std::max(peak, sample.contact_force_peak);
+    if (sample.time >= from && sample.time < until && sample.contact_force_peak > peak.force) {
+      peak = {sample.time, sample.contact_force_peak};
     }
   }
   return peak;
@@ -52,20 +59,21 @@ double force_peak_after(const assessment::RecordedTrial& trial, double from, dou
 
 struct Hit {
   double time = 0.0;
-  double peak = 0.0;  // N, until the next hit or for two seconds
+  Peak peak;  // until the next hit or for two seconds
 };
 
 // The hardest wall hits in the order of time.
 std::vector<Hit> hardest_hits(const assessment::RecordedTrial& trial) {
   std::vector<Hit> hits;
   for (const assessment::Event& event : trial.events) {
-    if (event.code == "wall_hit") hits.push_back({event.time, 0.0});
+    if (event.code == "wall_hit") hits.push_back({event.time, {}});
   }
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const double until = i + 1 < hits.size() ? hits[i + 1].time : hits[i].time + 2.0;
-    hits[i].peak = force_peak_after(trial, hits[i].time, std::min(until, hits[i].time + 2.0));
+    hits[i].peak = peak_within(trial, hits[i].time, std::min(until, hits[i].time + 2.0));
   }
-  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.peak > b.peak; });
+  std::sort(hits.begin(), hits.end(),
+            [](const Hit& a, const Hit& b) { return a.peak.force > b.peak.force; });
   if (hits.size() > kLettered) hits.resize(kLettered);
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.time < b.time; });
   return hits;
@@ -78,8 +86,8 @@ void draw_letter(Svg& svg, Point at, char letter) {
 }
 
 void draw_time_axis(Svg& svg, const Frame& frame, const Scale& x, double end) {
-  const double steps[] = {1, 2, 5, 10, 15, 30, 60, 120, 300, 600};
-  double step = 600.0;
+  const double steps[] = {1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800};
+  double step = 3600.0;
   for (const double candidate : steps) {
     if (end / candidate <= 9.0) {
       step = candidate;
@@ -102,10 +110,40 @@ void draw_steps(Svg& svg, const Frame& frame, const assessment::RecordedTrial& t
     svg.line({place, frame.top - 4.0}, {place, svg.height() - frame.bottom},
              {colour::kAxis, 1.0, "2 3", "axis"});
     if (place >= free_from) {
-      svg.text({place + 4.0, frame.top - 12.0}, step.id, Anchor::start, colour::kText2, "lab2");
-      free_from = place + 7.0 * static_cast<double>(step.id.size()) + 16.0;
+      const std::string words = shortened(step.id, svg.width() - place - 8.0);
+      svg.text({place + 4.0, frame.top - 12.0}, words, Anchor::start, colour::kText2, "lab2", false,
+               step.id);
+      free_from = place + text_width(words) + 12.0;
     }
   }
+}
+
+}  // namespace
+
+namespace {
+
+// Two decimals, or as many as it takes to stand on the right side of the limit.
+std::string force_text(double newtons, const std::optional<double>& limit_n) {
+  const std::string usual = fixed(newtons, 2);
+  if (!limit_n) return usual;
+  const std::string beside = assessment::text_beside(newtons, *limit_n, "N");
+  return beside.size() > usual.size() ? beside : usual;
+}
+
+// As wide as the longest title, within bounds that leave room for the bars.
+double label_width(const std::vector<StepDuration>& steps) {
+  double widest = 0.0;
+  for (const StepDuration& step : steps) widest = std::max(widest, text_width(step.title));
+  return std::clamp(widest + 16.0, 80.0, 240.0);
+}
+
+std::string many_steps_text(const std::vector<StepDuration>& steps) {
+  const auto [shortest, longest] =
+      std::minmax_element(steps.begin(), steps.end(),
+                          [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  return std::to_string(steps.size()) + " steps; longest: " + longest->title + " " +
+         fixed(longest->seconds, 1) + " s, shortest: " + shortest->title + " " +
+         fixed(shortest->seconds, 1) + " s";
 }
 
 }  // namespace
@@ -119,24 +157,29 @@ Chart step_time_chart(const std::vector<StepDuration>& steps) {
     made.summary +=
         (made.summary.empty() ? "" : ", ") + step.title + " " + fixed(step.seconds, 1) + " s";
   }
+  if (steps.size() > kListed) made.summary = many_steps_text(steps);
   made.summary = steps.empty() ? "No step was completed." : made.summary + ".";
 
-  const double row = steps.size() > 6 ? 24.0 : 40.0;
+  const double row = steps.size() > kListed ? 24.0 : 40.0;
   const double height = 40.0 + row * static_cast<double>(std::max<std::size_t>(steps.size(), 2));
-  Svg svg(made.id, 560.0, height, made.title, made.summary);
+  Svg svg(made.id, kStepWidth, height, made.title, made.summary);
   const std::vector<double> ticks = round_ticks(0.0, std::max(longest, 1.0), 4);
-  const Scale x{0.0, ticks.back(), kLabelWidth, 560.0 - 60.0};
-  for (const double tick : ticks) {
-    svg.line({x(tick), 8.0}, {x(tick), height - 28.0}, {colour::kGrid, 1.0, "", "grid"});
-    svg.text({x(tick), height - 10.0}, tick == ticks.back() ? plain(tick) + " s" : plain(tick),
+  const std::vector<std::string> words = tick_texts(ticks);
+  const double left = label_width(steps);
+  const Scale x{0.0, ticks.back(), left, kStepWidth - 60.0};
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    svg.line({x(ticks[i]), 8.0}, {x(ticks[i]), height - 28.0}, {colour::kGrid, 1.0, "", "grid"});
+    svg.text({x(ticks[i]), height - 10.0}, i + 1 == ticks.size() ? words[i] + " s" : words[i],
              Anchor::middle, colour::kText3, "ax");
   }
   if (steps.empty()) {
-    svg.text({280.0, height / 2.0}, made.summary, Anchor::middle, colour::kText2, "lab2");
+    svg.text({kStepWidth / 2.0, height / 2.0}, made.summary, Anchor::middle, colour::kText2,
+             "lab2");
   }
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double y = 8.0 + row * (static_cast<double>(i) + 0.5);
-    svg.text({kLabelWidth - 12.0, y + 4.0}, steps[i].title, Anchor::end, colour::kText2, "lab2");
+    svg.text({left - 12.0, y + 4.0}, shortened(steps[i].title, left - 16.0), Anchor::end,
+             colour::kText2, "lab2", false, steps[i].title);
     svg.line({x(0.0), y}, {x(steps[i].seconds), y}, {colour::kText, 3.0, "", "series-you"});
     draw_marker(svg, {x(steps[i].seconds), y}, own_look(), 4.5);
     svg.text({x(steps[i].seconds) + 10.0, y + 4.0}, fixed(steps[i].seconds, 1) + " s",
@@ -157,8 +200,8 @@ Chart contact_force_chart(const assessment::RecordedTrial& trial, std::optional<
   const auto all_hits = std::count_if(trial.events.begin(), trial.events.end(),
                                       [](const auto& event) { return event.code == "wall_hit"; });
   made.summary =
-      "Highest contact force " + fixed(highest, 2) + " N" +
-      (limit_n ? ", training limit " + plain(*limit_n) + " N" : "") + "; " +
+      "Highest contact force " + force_text(highest, limit_n) + " N" +
+      (limit_n ? ", training limit " + assessment::exact_text(*limit_n) + " N" : "") + "; " +
       std::to_string(all_hits) + (all_hits == 1 ? " wall hit" : " wall hits") +
       (all_hits > static_cast<long>(kLettered) ? ", the three hardest are lettered." : ".");
 
@@ -172,18 +215,26 @@ Chart contact_force_chart(const assessment::RecordedTrial& trial, std::optional<
   const Scale x{0.0, end, frame.left, kTimelineWidth - frame.right};
   draw_time_axis(svg, frame, x, end);
   draw_steps(svg, frame, trial, x);
+  if (trial.samples.empty()) {
+    svg.text({(frame.left + kTimelineWidth - frame.right) / 2.0, kTimelineHeight / 2.0},
+             "No force was recorded", Anchor::middle, colour::kText2, "lab2");
+  }
   svg.polyline(thinned(trial, x, y), {colour::kText, 1.25, "", "series-you"});
   if (limit_n) {
     svg.line({frame.left, y(*limit_n)}, {kTimelineWidth - frame.right, y(*limit_n)},
              {colour::kLimit, 1.5, "", "limit"});
     svg.text({kTimelineWidth - frame.right + 8.0, y(*limit_n) + 4.0},
-             "Limit " + plain(*limit_n) + " N", Anchor::start, colour::kLimit, "label-limit", true);
+             "Limit " + assessment::exact_text(*limit_n) + " N", Anchor::start, colour::kLimit,
+             "label-limit", true);
   }
+  double free_from = 0.0;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const char letter = static_cast<char>('A' + i);
-    draw_letter(svg, {x(hits[i].time), y(hits[i].peak)}, letter);
+    free_from = std::max(free_from, x(hits[i].peak.time));
+    draw_letter(svg, {free_from, std::max(y(hits[i].peak.force), frame.top + 18.0)}, letter);
+    free_from += 18.0;  // letters of hits in quick succession stand side by side
     made.table.rows.push_back(
-        {std::string(1, letter), fixed(hits[i].time, 2), fixed(hits[i].peak, 2)});
+        {std::string(1, letter), fixed(hits[i].time, 2), force_text(hits[i].peak.force, limit_n)});
   }
   made.svg = svg.finish();
   return made;
