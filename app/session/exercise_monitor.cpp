@@ -67,6 +67,7 @@ void ExerciseMonitor::add_event(double time, const char* code, Severity severity
 }
 
 void ExerciseMonitor::note(double time, const char* code) {
+  if (task_.ended) return;
   add_event(time, code, Severity::info, "", 0.0);
 }
 
