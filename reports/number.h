@@ -15,7 +15,7 @@ int plain_decimals(double value);  // how many that are
 
 // The fewest decimals, at most `most`, that show every one of these numbers as it is: a column or
 // an axis is printed with one number of them.
-int common_decimals(const std::vector<double>& values, int most = 6);
+int common_decimals(const std::vector<double>& values, int most = 9);
 
 // Shortest text that reads back as the same number; dot decimals.
 std::string exact(double value);
