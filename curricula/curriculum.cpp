@@ -54,4 +54,14 @@ std::string describe(const Step& step, double from) {
   return {};
 }
 
+std::vector<std::string> describe_all(const std::vector<Step>& unrolled) {
+  std::vector<std::string> titles;
+  double axial = 0.0;
+  for (const Step& step : unrolled) {
+    titles.push_back(describe(step, axial));
+    if (step.kind == Step::Kind::translate) axial = step.target;
+  }
+  return titles;
+}
+
 }  // namespace curricula

@@ -127,4 +127,8 @@ std::vector<Step> unroll(const std::vector<Step>& steps);
 // `from` is the handle position before the step, mm; it tells feeding from retracting.
 std::string describe(const Step& step, double from = 0.0);
 
+// The same for every step of unroll(), each seen from where the step before left the handle:
+// "Feed to 350 mm", "Retract to 150 mm".
+std::vector<std::string> describe_all(const std::vector<Step>& unrolled);
+
 }  // namespace curricula

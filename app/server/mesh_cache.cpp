@@ -15,7 +15,7 @@ base::Result<std::shared_ptr<const EncodedMesh>> MeshCache::mesh(const std::stri
   }
   const auto vessel = scenes_.vessel(anatomy_id);
   if (!vessel) return vessel.error();
-  const auto glb = encode_glb((*vessel)->surface);
+  const auto glb = encode_glb((*vessel)->display_surface);
   auto encoded = std::make_shared<EncodedMesh>();
   encoded->bytes.assign(reinterpret_cast<const char*>(glb.data()), glb.size());
   encoded->tag = "\"" + sha256_hex(glb).substr(0, 32) + "\"";

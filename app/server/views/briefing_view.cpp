@@ -58,12 +58,12 @@ void add_rounds(const std::vector<curricula::Step>& steps, Round round, std::vec
   }
 }
 
-json step_json(const curricula::Step& step, Round round) {
+json step_json(const curricula::Step& step, const std::string& title, Round round) {
   const bool turns = step.kind == Kind::rotate;
   const double unit = turns ? 1.0_deg : 1.0;
   return {{"id", step.id},
           {"kind", word(step.kind)},
-          {"title", curricula::describe(step)},
+          {"title", title},
           {"target", step.kind == Kind::hold ? step.seconds : step.target / unit},
           {"tolerance", step.tolerance / unit},
           {"hold_s", step.hold},
@@ -78,9 +78,10 @@ json steps_json(const curricula::Exercise& exercise) {
   std::vector<Round> rounds;
   add_rounds(exercise.steps, {}, rounds);
   const std::vector<curricula::Step> steps = curricula::unroll(exercise.steps);
+  const std::vector<std::string> titles = curricula::describe_all(steps);
   json list = json::array();
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    list.push_back(step_json(steps[i], i < rounds.size() ? rounds[i] : Round{}));
+    list.push_back(step_json(steps[i], titles[i], i < rounds.size() ? rounds[i] : Round{}));
   }
   return list;
 }

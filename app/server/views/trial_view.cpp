@@ -63,13 +63,6 @@ json events_json(const std::vector<assessment::Event>& events,
   return list;
 }
 
-std::string title_of(const std::string& step_id, const std::vector<curricula::Step>& steps) {
-  for (const curricula::Step& step : steps) {
-    if (step.id == step_id) return curricula::describe(step);
-  }
-  return step_id;
-}
-
 // The bound that ends or marks the trial by its contact force, if the exercise has one.
 std::optional<double> force_limit(const curricula::Exercise* exercise) {
   if (exercise == nullptr) return std::nullopt;
@@ -90,7 +83,7 @@ base::Result<json> charts_json(database::Store& store, const database::StoredTri
   if (recorded->samples.empty()) return charts;
   std::vector<reports::StepDuration> durations;
   for (const assessment::StepTime& time : assessment::step_times(*recorded)) {
-    durations.push_back({title_of(time.step_id, steps), time.seconds});
+    durations.push_back({step_title(time.step_id, steps), time.seconds});
   }
   if (!durations.empty()) charts.push_back(to_json(reports::step_time_chart(durations)));
   charts.push_back(to_json(reports::contact_force_chart(*recorded, force_limit(exercise))));

@@ -90,13 +90,6 @@ std::string rule_words(const Rule& rule) {
   return joined;
 }
 
-std::string step_title(const std::string& step_id, const std::vector<curricula::Step>& steps) {
-  for (const curricula::Step& step : steps) {
-    if (step.id == step_id) return curricula::describe(step);
-  }
-  return step_id;
-}
-
 constexpr std::array kPlainEvents = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"first_motion", "The hand moves for the first time; the clock starts"},
     {"paused", "Paused"},
@@ -132,6 +125,14 @@ std::string subject_unit(const std::string& subject) {
 }
 
 std::string rule_sentence(const Rule& rule) { return "Passed with " + rule_words(rule) + "."; }
+
+std::string step_title(const std::string& step_id, const std::vector<curricula::Step>& steps) {
+  const std::vector<std::string> titles = curricula::describe_all(steps);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i].id == step_id) return titles[i];
+  }
+  return step_id;
+}
 
 std::string event_text(const assessment::Event& event, const std::vector<curricula::Step>& steps) {
   for (const auto& [code, text] : kPlainEvents) {

@@ -20,6 +20,9 @@ std::string subject_unit(const std::string& subject);  // "s", or empty
 // "Passed with completion time at most 90 s (provisional) and no critical error."
 std::string rule_sentence(const assessment::Rule& rule);
 
+// "Retract to 150 mm" of the step `retract`; the id itself when there is no such step.
+std::string step_title(const std::string& step_id, const std::vector<curricula::Step>& steps);
+
 // "Highest contact force passed the limit (2.13 N)": an event of a trial.
 std::string event_text(const assessment::Event& event, const std::vector<curricula::Step>& steps);
 
