@@ -70,7 +70,7 @@ function Content({comparison}: {comparison: Comparison}) {
   return (
     <>
       <p className={`num ${styles.headline}`}>{comparison.headline}</p>
-      <p className="small faint">{comparison.apparatus}</p>
+      <p className="small faint">Apparatus: {comparison.apparatus}</p>
       <div className={`stack ${styles.body}`}>
         <div className={styles.duo}>
           {[experts, novices].map((chart) => chart && <section key={chart.id} className="panel"><ChartView chart={chart} /></section>)}
@@ -100,7 +100,7 @@ function Content({comparison}: {comparison: Comparison}) {
             {comparison.warnings.map((warning) => <p key={warning} className="muted">{warning}</p>)}
           </div>
         </section>
-        <div className={styles.tables}>
+        <div className="stack">
           <Panel title="Groups"><Groups groups={comparison.groups} /></Panel>
           <Panel title="Learning, person by person"><DataTable table={comparison.learning} caption="Table of learning, person by person" /></Panel>
         </div>

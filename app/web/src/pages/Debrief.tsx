@@ -15,6 +15,8 @@ import {useTitle} from '../parts/use_title';
 import type {CriterionResult, Debrief as DebriefData, EventRow, MetricResult} from '../wire/types';
 import styles from './debrief.module.css';
 
+const stepChart = 'step-times';
+
 /** Did I pass, and by which rule? */
 export function Debrief({trialId}: {trialId: string}) {
   const resource = useResource(`trial ${trialId}`, (api) => api.trial(trialId));
@@ -26,7 +28,8 @@ function Page({debrief}: {debrief: DebriefData}) {
   useTitle(`${debrief.exercise_title}, trial ${trial.ordinal}`);
   const {session} = useSignedIn();
   const own = session.role === 'trainee';
-  const [steps, ...force] = debrief.charts;
+  const steps = debrief.charts.find((chart) => chart.id === stepChart);
+  const others = debrief.charts.filter((chart) => chart.id !== stepChart);
   return (
     <>
       <nav className="crumbs" aria-label="Breadcrumb">
@@ -40,12 +43,12 @@ function Page({debrief}: {debrief: DebriefData}) {
       </nav>
       <div className="stack">
         <Verdict debrief={debrief} own={own} />
-        <div className={styles.duo}>
+        <div className={steps ? styles.duo : undefined}>
           <Criteria debrief={debrief} />
           {steps && <section className="panel"><ChartView chart={steps} /></section>}
         </div>
-        <div className={force.length > 0 ? styles.force : undefined}>
-          {force.map((chart) => <section key={chart.id} className="panel"><ChartView chart={chart} /></section>)}
+        <div className={others.length > 0 ? styles.force : undefined}>
+          {others.map((chart) => <section key={chart.id} className="panel"><ChartView chart={chart} /></section>)}
           <Events events={debrief.events} />
         </div>
         <Measurements metrics={debrief.metrics} />

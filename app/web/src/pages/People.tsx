@@ -95,7 +95,7 @@ function PersonLines({person}: {person: PersonRow}) {
         <td className="muted">{person.groups.length === 0 ? '–' : person.groups.join(', ')}</td>
         <td>{person.statuses.length === 0 ? <span className="faint">–</span> : <Statuses person={person} />}</td>
         <td className="r">{person.trials}</td>
-        <td className="muted">{formatWhen(person.last_trial_utc)}</td>
+        <td className="muted">{person.kind === 'published' ? '–' : formatWhen(person.last_trial_utc)}</td>
         <td className="r">
           {person.trials > 0 && (
             <button type="button" className={styles.toggle} aria-expanded={open} aria-controls={curves} onClick={() => setOpen(!open)}>

@@ -27,7 +27,7 @@ function Page({report}: {report: ProgressReport}) {
         <KindTag kind={person.kind} />
         <span className="muted num">
           {[`level ${levelWord(person.level)}`, ...person.groups, formatCount(person.trials, 'trial'),
-            `last ${formatWhen(person.last_trial_utc)}`].join(' · ')}
+            ...(person.kind === 'published' ? [] : [`last ${formatWhen(person.last_trial_utc)}`])].join(' · ')}
         </span>
       </div>
       <ProgressSections exercises={report.exercises} own={false} />

@@ -9,7 +9,7 @@ import {lookOf} from '../parts/State';
 import {TaskDrawing} from '../parts/TaskDrawing';
 import {stateOfTrial, endWord} from '../parts/TrialTable';
 import {useResource} from '../parts/api';
-import {formatCount, formatDifference, formatDuration, formatValue, formatWhen, shortTitle} from '../parts/format';
+import {formatCount, formatDifference, formatDuration, formatValue, formatWhen, shortTitle, withoutTitle} from '../parts/format';
 import {paths} from '../parts/paths';
 import {useBeginTrial} from '../parts/use_begin_trial';
 import {useTitle} from '../parts/use_title';
@@ -80,7 +80,7 @@ function NextPanel({next}: {next: NextExercise}) {
       <div>
         <span className={styles.eyebrow}>Next exercise</span>
         <h2>{briefing.title}</h2>
-        <p className={`num ${styles.why}`}>{next.headline}</p>
+        <p className={`num ${styles.why}`}>{withoutTitle(next.headline, briefing.title)}</p>
       </div>
       <TaskDrawing steps={briefing.steps} />
       <div className={styles.go}>
@@ -170,8 +170,8 @@ function LastTrials({trials}: {trials: TrialRow[]}) {
             <th scope="col" className="r">Trial</th>
             <th scope="col">When</th>
             <th scope="col" className="r">Time</th>
-            <th scope="col">{judged ? 'Against the target' : ''}</th>
-            {judged && <th scope="col" className="r">Over target</th>}
+            <th scope="col"><span className="visually-hidden">Time as a bar</span></th>
+            {judged && <th scope="col" className="r">Against target</th>}
             <th scope="col">Result</th>
             <th scope="col"><span className="visually-hidden">Debrief</span></th>
           </tr>

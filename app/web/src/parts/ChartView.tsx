@@ -6,7 +6,7 @@ import styles from './chart.module.css';
 
 interface Props {
   chart: Chart;
-  /** Stands above the drawing, under the title. */
+  /** Stands above the drawing, under the title, and says what the summary says. */
   children?: ReactNode;
   className?: string;
 }
@@ -27,7 +27,7 @@ export function ChartView({chart, children, className = ''}: Props) {
       {asTable
         ? <DataTable table={chart.table} caption={chart.title} />
         : <Drawing svg={chart.svg} />}
-      <figcaption className="small muted">{chart.summary}</figcaption>
+      <figcaption className={children === undefined ? 'small muted' : 'visually-hidden'}>{chart.summary}</figcaption>
     </figure>
   );
 }

@@ -2,6 +2,7 @@ import type {ExerciseProgress} from '../wire/types';
 import {ChartView} from './ChartView';
 import {EmptyState} from './EmptyState';
 import {State} from './State';
+import {withoutTitle} from './format';
 import {TrialTable} from './TrialTable';
 import styles from './progress.module.css';
 
@@ -24,7 +25,7 @@ function Section({exercise, own}: {exercise: ExerciseProgress; own: boolean}) {
       <div className={styles.head}>
         <h2 id={heading}>{exercise.title}</h2>
         <State state={exercise.status} />
-        <p className="muted num">{exercise.headline}</p>
+        <p className="muted num">{withoutTitle(exercise.headline, exercise.title)}</p>
       </div>
       {exercise.trials.length === 0
         ? (

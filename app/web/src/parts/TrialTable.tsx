@@ -41,7 +41,7 @@ export function TrialTable({trials, caption}: {trials: readonly TrialRow[]; capt
             <th scope="col">When</th>
             <th scope="col">Verdict</th>
             <th scope="col" className="r">Time</th>
-            {judged && <th scope="col" className="r">Over target</th>}
+            {judged && <th scope="col" className="r">Against target</th>}
             <th scope="col" className="r">Highest force</th>
             <th scope="col" className="r">Critical errors</th>
             <th scope="col">End</th>
@@ -62,7 +62,7 @@ function Row({trial, judged}: {trial: TrialRow; judged: boolean}) {
   return (
     <tr>
       <td className="r">{trial.ordinal}</td>
-      <td className="muted">{formatWhen(trial.started_utc)}</td>
+      <td className="muted">{trial.source === 'published-data' ? '–' : formatWhen(trial.started_utc)}</td>
       <td>{trial.source === 'published-data' ? <span className="faint">Not judged</span> : <State state={stateOfTrial(trial)} />}</td>
       <td className="r strong">{formatValue(trial.time_s, 's')}</td>
       {judged && <td className="r">{over === null ? '–' : formatDifference(over, 's')}</td>}

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 import {
-  digitsToTellApart, formatBound, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf, shortTitle,
+  digitsToTellApart, formatBound, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf, shortTitle, withoutTitle,
 } from './format';
 
 const thin = '\u00a0';
@@ -68,6 +68,11 @@ it('counts in words', () => {
 it('shortens a title to its name', () => {
   expect(shortTitle('Linear: feed, retract, feed')).toBe('Linear');
   expect(shortTitle('Sign-off')).toBe('Sign-off');
+});
+
+it('does not say the title twice', () => {
+  expect(withoutTitle('Linear: a, b: last trial 32.9 s.', 'Linear: a, b')).toBe('Last trial 32.9 s.');
+  expect(withoutTitle('Nothing yet.', 'Linear')).toBe('Nothing yet.');
 });
 
 it('makes initials', () => {

@@ -104,3 +104,10 @@ export function formatDuration(seconds: number): string {
 export function shortTitle(title: string): string {
   return title.split(':', 1)[0] ?? title;
 }
+
+/** "Linear: last trial 32.9 s" under the heading "Linear" -> "Last trial 32.9 s". */
+export function withoutTitle(sentence: string, title: string): string {
+  if (!sentence.startsWith(`${title}: `)) return sentence;
+  const rest = sentence.slice(title.length + 2);
+  return rest.charAt(0).toUpperCase() + rest.slice(1);
+}
