@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <utility>
 
@@ -87,6 +88,31 @@ base::Result<std::unique_ptr<database::Store>> open_prepared(const std::string& 
   const base::Status published = publish_library(**store, library);
   if (!published) return published.error();
   return store;
+}
+
+base::Status require_database(const std::string& url) {
+  const std::string prefix = "sqlite:";
+  std::error_code ignored;
+  if (url.rfind(prefix, 0) != 0 || fs::exists(url.substr(prefix.size()), ignored)) {
+    return base::Done{};
+  }
+  return base::Error{base::ErrorCode::not_found,
+                     "there is no database \"" + url.substr(prefix.size()) + "\""};
+}
+
+base::Status write_whole_file(const std::string& path, const std::string& text) {
+  std::error_code problem;
+  // a device or a pipe is written to as it is; a file is replaced once its successor is complete
+  const bool in_place = fs::exists(path, problem) && !fs::is_regular_file(path, problem);
+  const std::string written = in_place ? path : path + ".part";
+  std::ofstream file(written, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  if (file && !in_place) fs::rename(written, path, problem);
+  if (file && !problem) return base::Done{};
+  if (!in_place) fs::remove(written, problem);
+  return base::Error{base::ErrorCode::unavailable,
+                     "could not write " + path + "; is the folder there and writable?"};
 }
 
 }  // namespace app::cli

@@ -57,6 +57,13 @@ base::Result<curricula::Library> load_installed_library();
 base::Result<std::unique_ptr<database::Store>> open_prepared(const std::string& url,
                                                              const curricula::Library& library);
 
+// Fails with not_found when a sqlite: URL names no file: a typing error must not make an empty one.
+base::Status require_database(const std::string& url);
+
+// Writes a file whole or not at all: what was there before stays until the new one is complete.
+// Fails with unavailable.
+base::Status write_whole_file(const std::string& path, const std::string& text);
+
 // Each adds one command with its sub-commands. `output` outlives the parsing.
 void add_serve(CLI::App& app, Output& output);
 void add_demo(CLI::App& app, Output& output);

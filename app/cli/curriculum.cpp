@@ -202,16 +202,15 @@ void copy(const Options& options, Output& output) {
   const auto draft = curricula::copy_as_draft(*source.curriculum, options.new_id);
   if (!draft) return output.fail(draft.error());
   if (options.out.empty()) {
+    if (output.json) return output.print({{"curriculum", options.new_id}, {"yaml", *draft}});
     std::cout << *draft;
     return;
   }
   if (std::filesystem::exists(options.out)) {
     return output.fail(options.out + " is already there; choose another name");
   }
-  std::ofstream file(options.out, std::ios::binary);
-  file << *draft;
-  file.close();
-  if (!file) return output.fail("could not write " + options.out);
+  const base::Status written = write_whole_file(options.out, *draft);
+  if (!written) return output.fail(written.error());
   if (output.json) return output.print({{"file", options.out}, {"curriculum", options.new_id}});
   std::cout << "Draft " << options.new_id << " written to " << options.out << ".\n";
 }
@@ -223,7 +222,7 @@ void diff(const Options& options, Output& output) {
   if (!after) return;
   for (const auto& [file, result] : {std::pair{options.file, &*before}, {options.other, &*after}}) {
     if (result->ok()) continue;
-    print_problems(file, result->problems);
+    if (!output.json) print_problems(file, result->problems);
     return output.fail(file + " has problems; mend them first");
   }
   const std::vector<curricula::Change> changes =

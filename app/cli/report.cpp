@@ -1,6 +1,4 @@
 // cathedra report compare: novices against experts as a page or a table.
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -59,18 +57,6 @@ ordered_json comparison_json(const assessment::GroupComparison& comparison,
   return document;
 }
 
-// The whole report is made before the file is opened, and a failed write leaves none behind.
-base::Status write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (file) return base::Done{};
-  std::error_code ignored;
-  std::filesystem::remove(path, ignored);
-  return base::Error{base::ErrorCode::unavailable,
-                     "could not write " + path + "; is the folder there and writable?"};
-}
-
 void compare(const Options& options, Output& output) {
   const auto library = load_installed_library();
   if (!library) return output.fail(library.error());
@@ -82,6 +68,10 @@ void compare(const Options& options, Output& output) {
     return output.fail(
         "there is no exercise \"" + options.exercise + "\"; see: cathedra exercise list",
         kWrongCall);
+  }
+  if (options.dataset != kPaperDataset) {  // which brings its data along
+    const base::Status there = require_database(options.database);
+    if (!there) return output.fail(there.error());
   }
   auto store = open_prepared(options.database, *library);
   if (!store) return output.fail(store.error());
@@ -102,7 +92,7 @@ void compare(const Options& options, Output& output) {
                                ? reports::comparison_csv(*comparison, data->subject)
                                : reports::comparison_html(*comparison, data->subject);
   if (!options.out.empty()) {
-    const base::Status written = write_file(options.out, text);
+    const base::Status written = write_whole_file(options.out, text);
     if (!written) return output.fail(written.error());
   }
   if (output.json) return output.print(comparison_json(*comparison, data->subject));

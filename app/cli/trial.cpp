@@ -1,7 +1,7 @@
 // cathedra trial list | show | verify | replay: what is stored, and whether it is genuine.
-#include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 #include "app/cli/command.h"
@@ -43,13 +43,9 @@ ordered_json head_json(const database::StoredTrial& trial) {
           {"metrics", metrics}};
 }
 
-// Opens a database that must already be there: a typing error must not make an empty one.
 base::Result<std::unique_ptr<database::Store>> open_existing(const std::string& url) {
-  const std::string prefix = "sqlite:";
-  if (url.rfind(prefix, 0) == 0 && !std::filesystem::exists(url.substr(prefix.size()))) {
-    return base::Error{base::ErrorCode::not_found,
-                       "there is no database \"" + url.substr(prefix.size()) + "\""};
-  }
+  const base::Status there = require_database(url);
+  if (!there) return there.error();
   return database::Store::open(url);
 }
 
@@ -149,11 +145,10 @@ void replay(const Options& options, Output& output) {
   }();
   if (!trial) return output.fail(trial.error());
   if (!options.csv.empty()) {
-    std::ofstream file(options.csv);
-    write_trace(file, *trial);
-    file.close();
-    if (!file)
-      return output.fail("could not write " + options.csv + "; is the folder there and writable?");
+    std::ostringstream text;
+    write_trace(text, *trial);
+    const base::Status written = write_whole_file(options.csv, text.str());
+    if (!written) return output.fail(written.error());
   }
   ordered_json events = ordered_json::array();
   for (const assessment::Event& event : trial->events) {
