@@ -38,29 +38,40 @@ base::Result<StoredTrace> load_trace(database::Store& store, const std::string& 
   return trace;
 }
 
-// The first chunk whose bytes are not the ones that were hashed when it was written.
-void find_changed_chunk(StoredTrace& trace, Verification& result) {
-  const std::size_t count = trace.hashes.size();
-  if (trace.inputs.size() != count || trace.observed.size() != count) {
-    result.chunk = "a missing chunk";
-    result.first_second = static_cast<int>(std::min(trace.inputs.size(), trace.observed.size()));
-    return;
+// Second `seq` ends with one of the steps 1000 seq + 1 ... 1000 (seq + 1), or with 1000 seq when
+// the trial was given up right there.
+bool lies_in_second(std::uint32_t step, int seq) {
+  const auto first = static_cast<std::int64_t>(seq) * kStepsPerSecond;
+  return step >= first && step <= first + kStepsPerSecond;
+}
+
+// What is wrong with second `k` of the trace: the kind of its chunk that is missing or was changed.
+const char* changed_kind(StoredTrace& trace, std::size_t k) {
+  const auto seq = static_cast<int>(k);
+  const auto missing = [&](const std::vector<database::Chunk>& chunks) {
+    return k >= chunks.size() || chunks[k].seq != seq;
+  };
+  if (missing(trace.hashes)) return "hashes";
+  if (missing(trace.inputs)) return "inputs";
+  if (missing(trace.observed)) return "observed";
+  const auto decoded = read_hashes(trace.hashes[k].bytes);
+  if (!decoded || decoded->size() != 1 || !lies_in_second(decoded->front().step, seq)) {
+    return "hashes";
   }
+  if (decoded->front().inputs != hash_of(trace.inputs[k].bytes)) return "inputs";
+  if (decoded->front().observed != hash_of(trace.observed[k].bytes)) return "observed";
+  trace.seconds.push_back(decoded->front());
+  return nullptr;
+}
+
+// The first chunk that is missing or whose bytes are not the ones hashed when it was written.
+void find_changed_chunk(StoredTrace& trace, Verification& result) {
+  const std::size_t count =
+      std::max({trace.hashes.size(), trace.inputs.size(), trace.observed.size()});
   for (std::size_t k = 0; k < count; ++k) {
-    const auto decoded = read_hashes(trace.hashes[k].bytes);
-    const char* changed = nullptr;
-    if (!decoded || decoded->size() != 1) {
-      changed = "hashes";
-    } else if (decoded->front().inputs != hash_of(trace.inputs[k].bytes)) {
-      changed = "inputs";
-    } else if (decoded->front().observed != hash_of(trace.observed[k].bytes)) {
-      changed = "observed";
-    } else {
-      trace.seconds.push_back(decoded->front());
-    }
-    if (changed) {
-      result.chunk = std::string(changed) + " " + std::to_string(trace.hashes[k].seq);
-      result.first_second = trace.hashes[k].seq;
+    if (const char* changed = changed_kind(trace, k)) {
+      result.chunk = std::string(changed) + " " + std::to_string(k);
+      result.first_second = static_cast<int>(k);
       return;
     }
   }
@@ -177,7 +188,8 @@ std::string verdict_sentence(const Verification& result, const std::string& buil
     return text;
   }
   std::string text = "Not confirmed: ";
-  if (!result.chunk.empty()) text += "the stored chunk \"" + result.chunk + "\" was changed; ";
+  if (!result.chunk.empty())
+    text += "the stored chunk \"" + result.chunk + "\" was changed or is missing; ";
   if (result.first_second) {
     text += "the first second that differs is " + std::to_string(*result.first_second) + " (" +
             std::to_string(*result.first_second) + " to " +
@@ -224,7 +236,9 @@ base::Result<assessment::RecordedTrial> replay_trial(database::Store& store,
   for (const database::Chunk& chunk : trace->hashes) {
     const auto hashes = read_hashes(chunk.bytes);
     if (!hashes) return hashes.error();
-    for (const SecondHashes& second : *hashes) last_step = std::max(last_step, second.step);
+    for (const SecondHashes& second : *hashes) {
+      if (lies_in_second(second.step, chunk.seq)) last_step = std::max(last_step, second.step);
+    }
   }
   TrialRun run(setting->scene, setting->exercise);
   play(run, RecordedOperator(readable_inputs(*trace)), last_step, progress);
