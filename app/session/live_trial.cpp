@@ -127,6 +127,7 @@ struct LiveTrial::Parts {
     hand.turn = mailbox.turn;
     move.add(std::exchange(mailbox.move, 0.0));
     rotate.add(std::exchange(mailbox.rotate, 0.0));
+    if (paused_wanted) move = rotate = {};  // nor does a movement begun before go on afterwards
     return paused_wanted;
   }
 
