@@ -78,7 +78,7 @@ base::Result<json> charts_json(database::Store& store, const database::StoredTri
                                const std::vector<curricula::Step>& steps) {
   json charts = json::array();
   if (is_published(trial)) return charts;
-  const auto recorded = load_recorded(store, trial.head.id);
+  auto recorded = load_recorded(store, trial.head.id);
   if (!recorded) return recorded.error();
   if (recorded->samples.empty()) return charts;
   std::vector<reports::StepDuration> durations;
@@ -86,7 +86,9 @@ base::Result<json> charts_json(database::Store& store, const database::StoredTri
     durations.push_back({step_title(time.step_id, steps), time.seconds});
   }
   if (!durations.empty()) charts.push_back(to_json(reports::step_time_chart(durations)));
-  charts.push_back(to_json(reports::contact_force_chart(*recorded, force_limit(exercise))));
+  assessment::RecordedTrial drawn = *std::move(recorded);
+  for (assessment::TrialStep& step : drawn.steps) step.id = step_title(step.id, steps);
+  charts.push_back(to_json(reports::contact_force_chart(drawn, force_limit(exercise))));
   return charts;
 }
 
