@@ -28,6 +28,7 @@ if (lack !== null) {
 const named = process.argv.slice(2).map((file) => path.resolve(file));
 const files = named.length > 0
   ? named
-  : readdirSync(here).filter((name) => name.endsWith('.test.mjs')).sort().map((name) => path.join(here, name));
+  : [here, path.join(here, 'cli')].flatMap((folder) =>
+      readdirSync(folder).filter((name) => name.endsWith('.test.mjs')).sort().map((name) => path.join(folder, name)));
 const {status} = spawnSync(process.execPath, ['--test', '--test-concurrency=1', ...files], {stdio: 'inherit'});
 process.exit(status ?? 1);
