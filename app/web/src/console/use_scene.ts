@@ -60,7 +60,7 @@ export function useScene(trial: RunningTrial, briefing: Briefing, settings: Scen
   useEffect(() => {
     if (!scene) return;
     let stale = false;
-    loadVessel(`/api/anatomies/${encodeURIComponent(briefing.anatomy_id)}/mesh.glb`, scene.mostTriangles).then(
+    loadVessel(`/api/anatomies/${encodeURIComponent(briefing.anatomy_id)}/mesh.glb`, scene.detail).then(
       (vessel) => {
         if (stale) vessel.dispose();
         else {

@@ -5,11 +5,12 @@ import type {Frame} from '../../wire/frame';
 import {nodeStride} from '../../wire/frame';
 import {basisOf, bestYaw, eyeOf, fieldOfView_deg, fit, orbit, type View, zoom} from './camera_rig';
 import {ContactFinder} from './contact';
+import {DrawPacer, finishOf} from './draw_pacer';
 import {InstrumentTube} from './instrument_tube';
 import {NodeInterpolation} from './interpolation';
 import {sheathColour} from './palette';
 import {PictureMarks, type Spot} from './picture_marks';
-import type {VesselModel} from './vessel_model';
+import {closeLayer, type Detail, type VesselModel, wholeLayer} from './vessel_model';
 
 export type ViewMode = 'whole' | 'follow';
 
@@ -62,9 +63,9 @@ export class MonitorScene {
   private slowness_ms = 0;
   private ratio: number;
   private thickness = 1;
+  private readonly pacer: DrawPacer;
 
-  /** How many triangles the machine draws fluently. */
-  readonly mostTriangles: number;
+  readonly detail: Detail;
 
   /** Throws when the browser has no WebGL 2. `thickened` hears how much thicker than life the instrument is drawn. */
   constructor(
@@ -73,7 +74,8 @@ export class MonitorScene {
     private readonly thickened: (factor: number) => void,
   ) {
     const software = drawsInSoftware();
-    this.mostTriangles = software ? 14_000 : 600_000;
+    this.detail = software ? {close: 14_000, whole: 3000} : {close: 600_000, whole: 600_000};
+    this.pacer = new DrawPacer(software);
     this.renderer = new WebGLRenderer({antialias: !software, powerPreference: 'high-performance'});
     this.ratio = pixelRatios.find((ratio) => ratio <= window.devicePixelRatio) ?? 1;
     this.renderer.autoClear = false;
@@ -150,6 +152,7 @@ export class MonitorScene {
 
   private readonly tick = (now_ms: number): void => {
     this.request = requestAnimationFrame(this.tick);
+    if (!this.pacer.mayDraw(now_ms)) return;
     const moved = this.between.sample(performance.now());
     if (moved) this.shape();
     const swung = this.followTip((now_ms - this.drawn_ms) / 1000);
@@ -160,6 +163,7 @@ export class MonitorScene {
     this.watchSpeed(now_ms);
     this.dirty = false;
     this.draw();
+    this.pacer.drawn(now_ms, finishOf(this.renderer.getContext() as WebGL2RenderingContext));
     this.mark(now_ms);
   };
 
@@ -225,6 +229,8 @@ export class MonitorScene {
 
   private aim(camera: PerspectiveCamera, view: View, aspect: number): void {
     const {up} = basisOf(view);
+    camera.layers.set(0);  // the instrument
+    camera.layers.enable(view === this.whole ? wholeLayer : closeLayer);
     camera.aspect = aspect;
     camera.near = Math.max(1, view.distance * 0.05);
     camera.far = view.distance * 4 + 2000;

@@ -1,10 +1,12 @@
 // The vessel as one looks into it: the far wall dark and nearly solid, the near wall a breath with
 // a bright outline. Loaded once per trial.
 import {
-  BackSide, BufferAttribute, BufferGeometry, FrontSide, GLSL3, Group, Mesh, type Object3D, ShaderMaterial, Vector3,
+  BackSide, BufferAttribute, BufferGeometry, FrontSide, GLSL3, Group, Mesh, type Object3D, ShaderMaterial, Sphere,
+  Vector3,
 } from 'three';
 import {GLTFLoader} from 'three/examples/jsm/loaders/GLTFLoader.js';
-import {thinned} from './mesh_thinning';
+import {chunksOf} from './mesh_chunks';
+import {type Surface, thinned} from './mesh_thinning';
 import {type Rgb, wallColour, wallEdgeColour, wallInsideColour} from './palette';
 
 const vertexShader = `
@@ -43,6 +45,16 @@ interface Look {
 const farWall: Look = {face: wallInsideColour, edge: wallColour, opacity: [0.92, 0.75], sharpness: 1.6};
 const nearWall: Look = {face: wallColour, edge: wallEdgeColour, opacity: [0.1, 0.95], sharpness: 2.2};
 
+/** Layers of the scene: a camera that shows all of the vessel needs less of its detail. */
+export const closeLayer = 1;
+export const wholeLayer = 2;
+
+/** How many triangles the machine draws fluently, near by and from afar. */
+export interface Detail {
+  readonly close: number;
+  readonly whole: number;
+}
+
 export interface VesselModel {
   readonly group: Group;
   /** x, y, z of its corners, thinned out: enough to fit the camera. */
@@ -50,54 +62,72 @@ export interface VesselModel {
   dispose(): void;
 }
 
-/** Drawn with at most about `mostTriangles`. Rejects when the mesh cannot be had; the message is a sentence. */
-export async function loadVessel(url: string, mostTriangles: number): Promise<VesselModel> {
+const chunkSize_mm = 40;
+
+/** Rejects when the mesh cannot be had; the message is a sentence. */
+export async function loadVessel(url: string, detail: Detail): Promise<VesselModel> {
   const file = await new GLTFLoader().loadAsync(url).catch(() => {
     throw new Error('The vessel could not be loaded. Check the connection and try again.');
   });
-  const geometries = geometriesOf(file.scene).map((geometry) => lighter(geometry, mostTriangles));
-  if (geometries.length === 0) throw new Error('The vessel holds no surface. Tell your administrator.');
+  const surfaces = surfacesOf(file.scene);
+  if (surfaces.length === 0) throw new Error('The vessel holds no surface. Tell your administrator.');
   const materials = [wallMaterial(farWall, BackSide), wallMaterial(nearWall, FrontSide)];
+  const geometries: BufferGeometry[] = [];
   const group = new Group();
-  for (const geometry of geometries) {
-    materials.forEach((material, order) => {
-      const wall = new Mesh(geometry, material);
-      wall.renderOrder = order + 1;  // behind the instrument first, then over it
-      group.add(wall);
-    });
+  for (const surface of surfaces) {
+    const close = chunkGeometries(thinned(surface, detail.close), chunkSize_mm);
+    const whole = chunkGeometries(thinned(surface, detail.whole), Infinity);
+    geometries.push(...close, ...whole);
+    addWalls(group, close, materials, closeLayer);
+    addWalls(group, whole, materials, wholeLayer);
   }
   return {
     group,
-    outline: thinnedOut(geometries),
+    outline: thinnedOut(surfaces),
     dispose: () => [...geometries, ...materials].forEach((part) => part.dispose()),
   };
 }
 
+function addWalls(group: Group, geometries: readonly BufferGeometry[], materials: readonly ShaderMaterial[], layer: number): void {
+  for (const geometry of geometries) {
+    materials.forEach((material, order) => {
+      const wall = new Mesh(geometry, material);
+      wall.renderOrder = order + 1;  // behind the instrument first, then over it
+      wall.layers.set(layer);
+      group.add(wall);
+    });
+  }
+}
+
+// pieces share their vertices and differ in their triangles
+function chunkGeometries(surface: Surface, size: number): BufferGeometry[] {
+  const position = new BufferAttribute(surface.positions, 3);
+  const normal = new BufferAttribute(surface.normals, 3);
+  return chunksOf(surface, size).map((chunk) => {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', position);
+    geometry.setAttribute('normal', normal);
+    geometry.setIndex(new BufferAttribute(chunk.index, 1));
+    geometry.boundingSphere = new Sphere(new Vector3(...chunk.centre), chunk.radius);
+    return geometry;
+  });
+}
+
 // in the frame of the file, with whatever its nodes do to it
-function geometriesOf(scene: Object3D): BufferGeometry[] {
-  const geometries: BufferGeometry[] = [];
+function surfacesOf(scene: Object3D): Surface[] {
+  const surfaces: Surface[] = [];
   scene.updateMatrixWorld(true);
   scene.traverse((part) => {
     if (!(part instanceof Mesh)) return;
-    const geometry = (part.geometry as BufferGeometry).clone().applyMatrix4(part.matrixWorld);
+    const geometry = (part.geometry as BufferGeometry).applyMatrix4(part.matrixWorld);
     if (!geometry.getAttribute('normal')) geometry.computeVertexNormals();
-    geometries.push(geometry);
+    const values = (name: string) => new Float32Array(geometry.getAttribute(name).array);
+    const count = geometry.getAttribute('position').count;
+    const index = geometry.getIndex()?.array ?? Uint32Array.from({length: count}, (_, vertex) => vertex);
+    surfaces.push({positions: values('position'), normals: values('normal'), index: new Uint32Array(index)});
+    geometry.dispose();
   });
-  return geometries;
-}
-
-function lighter(geometry: BufferGeometry, mostTriangles: number): BufferGeometry {
-  const index = geometry.getIndex();
-  if (!index || index.count / 3 <= mostTriangles) return geometry;
-  const values = (name: string) => new Float32Array(geometry.getAttribute(name).array);
-  const light = thinned(
-    {positions: values('position'), normals: values('normal'), index: new Uint32Array(index.array)}, mostTriangles);
-  geometry.dispose();
-  const made = new BufferGeometry();
-  made.setAttribute('position', new BufferAttribute(light.positions, 3));
-  made.setAttribute('normal', new BufferAttribute(light.normals, 3));
-  made.setIndex(new BufferAttribute(light.index, 1));
-  return made;
+  return surfaces;
 }
 
 function wallMaterial(look: Look, side: typeof BackSide | typeof FrontSide): ShaderMaterial {
@@ -112,14 +142,15 @@ function wallMaterial(look: Look, side: typeof BackSide | typeof FrontSide): Sha
   });
 }
 
-function thinnedOut(geometries: readonly BufferGeometry[]): Float32Array {
+function thinnedOut(surfaces: readonly Surface[]): Float32Array {
   const most = 1500;
-  const total = geometries.reduce((sum, geometry) => sum + geometry.getAttribute('position').count, 0);
-  const stride = Math.max(1, Math.floor(total / most));
+  const total = surfaces.reduce((sum, surface) => sum + surface.positions.length / 3, 0);
+  const stride = 3 * Math.max(1, Math.floor(total / most));
   const points: number[] = [];
-  for (const geometry of geometries) {
-    const position = geometry.getAttribute('position');
-    for (let i = 0; i < position.count; i += stride) points.push(position.getX(i), position.getY(i), position.getZ(i));
+  for (const {positions} of surfaces) {
+    for (let i = 0; i + 2 < positions.length; i += stride) {
+      points.push(positions[i] ?? 0, positions[i + 1] ?? 0, positions[i + 2] ?? 0);
+    }
   }
   return new Float32Array(points);
 }
