@@ -130,6 +130,8 @@ void demo(Options& options, Output& output) {
   if (!library) return output.fail(library.error());
   const auto url = database_in(options.folder);
   if (!url) return output.fail(url.error());
+  const auto lock = FolderLock::take(options.folder);
+  if (!lock) return output.fail(lock.error());
   auto store = load_demo(*url, *library);
   if (!store) return output.fail(store.error());
 
@@ -151,8 +153,13 @@ void demo(Options& options, Output& output) {
   std::thread examples;
   output.exit_code =
       serve_until_stopped(options.server, *std::move(library), output, [&](const std::string&) {
-        std::cout << "Sign in as:\n";
+        nlohmann::ordered_json accounts = nlohmann::ordered_json::array();
+        if (!output.json) std::cout << "Sign in as:\n";
         for (const Account& account : kAccounts) {
+          accounts.push_back({{"role", database::word(account.role)},
+                              {"name", account.name},
+                              {"password", account.password}});
+          if (output.json) continue;
           std::cout << "  " << database::word(account.role) << ": " << account.name << " / "
                     << account.password << '\n';
         }
@@ -162,6 +169,7 @@ void demo(Options& options, Output& output) {
               fill_examples(*url, for_examples, options.example_trials, stop);
           if (!filled) std::cerr << "cathedra: " << filled.error().message << '\n';
         });
+        return nlohmann::ordered_json{{"accounts", accounts}};
       });
   stop = true;
   if (examples.joinable()) examples.join();
@@ -175,6 +183,7 @@ void add_demo(CLI::App& app, Output& output) {
       "demo", "Serve a demo with example people, published data and simulated operators");
   command->footer("Example: cathedra demo --data data/demo");
   add_server_options(*command, options->server, options->folder, options->web_root);
+  add_json_flag(*command, output);
   command
       ->add_option("--example-trials", options->example_trials,
                    "Trials per simulated person and exercise, made in the background; 0: none")

@@ -53,7 +53,7 @@ Finding check_disk(const std::string& folder) {
       static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize) / 1e9;
   char text[80];
   std::snprintf(text, sizeof text, "%.1f GB free%s", free_gb,
-                free_gb > 1.0 ? "" : "; a trial needs about 1 MB a minute");
+                free_gb > 1.0 ? "" : "; a trial needs about 0.5 MB a minute");
   return {"disk", free_gb > 1.0, text};
 }
 

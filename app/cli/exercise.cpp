@@ -191,10 +191,11 @@ void add_exercise(CLI::App& app, Output& output) {
       ->check(CLI::IsMember({"expert", "intermediate", "novice"}))
       ->capture_default_str();
   run_command->add_option("--seed", options->seed, "Seed of the operator's random numbers")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   run_command
       ->add_option("--practice", options->practice,
-                   "The operator's how-manieth trial it is: later ones are better")
+                   "Number of the operator's trial: later ones are better")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   run_command->add_option("--trials", options->trials, "How many, with rising seed and practice")

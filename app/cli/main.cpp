@@ -1,6 +1,8 @@
 // cathedra: one program, one file per command beside this one.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include <sodium.h>
 
@@ -35,6 +37,12 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const bool json = std::find(argv, argv + argc, std::string("--json")) != argv + argc;
+    if (error.get_exit_code() != 0 && json) {
+      output.json = true;
+      output.fail(error.what(), kWrongCall);
+      return kWrongCall;
+    }
     const int code = app.exit(error);
     return code == 0 ? kWorked : kWrongCall;
   }

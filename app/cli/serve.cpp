@@ -19,6 +19,8 @@ void serve(Options& options, Output& output) {
   if (!library) return output.fail(library.error());
   const auto url = database_in(options.folder);
   if (!url) return output.fail(url.error());
+  const auto lock = FolderLock::take(options.folder);
+  if (!lock) return output.fail(lock.error());
   options.server.database_url = *url;
   options.server.web_root =
       options.web_root.empty() ? web_folder() : std::filesystem::path(options.web_root);
@@ -29,14 +31,20 @@ void serve(Options& options, Output& output) {
   output.exit_code = serve_until_stopped(
       options.server, *std::move(library), output, [&](const std::string& site_url) {
         const auto needed = needs_administrator(*store);
-        if (!needed || !*needed) return;
+        nlohmann::ordered_json document = {{"setup_link", nullptr}};
+        if (!needed || !*needed) return document;
         const auto link = new_setup_link(*store, site_url);
         if (!link) {
           std::cerr << "cathedra: " << link.error().message << '\n';
-          return;
+          return document;
         }
-        std::cout << "This site has no administrator yet. Open this link once, within 24 hours:\n  "
-                  << *link << std::endl;
+        document["setup_link"] = *link;
+        if (!output.json) {
+          std::cout << "This site has no administrator yet. Open this link once, within 24 "
+                       "hours:\n  "
+                    << *link << std::endl;
+        }
+        return document;
       });
 }
 
@@ -47,6 +55,7 @@ void add_serve(CLI::App& app, Output& output) {
   CLI::App* command = app.add_subcommand("serve", "Serve a real site in the browser");
   command->footer("Example: cathedra serve --data /srv/cathedra --port 8080");
   add_server_options(*command, options->server, options->folder, options->web_root);
+  add_json_flag(*command, output);
   command->callback([options, &output] { serve(*options, output); });
 }
 

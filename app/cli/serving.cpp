@@ -6,12 +6,17 @@
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include "app/session/build_info.h"
 
 namespace app::cli {
 
-int serve_until_stopped(ServerOptions options, curricula::Library library, Output& output,
-                        const std::function<void(const std::string& url)>& greet) {
+int serve_until_stopped(
+    ServerOptions options, curricula::Library library, Output& output,
+    const std::function<nlohmann::ordered_json(const std::string& url)>& greet) {
   // every thread inherits the mask, so that only sigwait below sees these signals
   sigset_t stop_signals;
   sigemptyset(&stop_signals);
@@ -31,13 +36,19 @@ int serve_until_stopped(ServerOptions options, curricula::Library library, Outpu
     output.fail(started.error());
     return output.exit_code;
   }
-  std::cout << "Cathedra is ready at " << server.url() << std::endl;
-  greet(server.url());
-  std::cout << "Stop with Ctrl-C." << std::endl;
+  if (!output.json) std::cout << "Cathedra is ready at " << server.url() << std::endl;
+  nlohmann::ordered_json ready = {{"url", server.url()}};
+  ready.update(greet(server.url()));
+  if (output.json) {
+    output.print(ready);
+    std::cout << std::flush;
+  } else {
+    std::cout << "Stop with Ctrl-C." << std::endl;
+  }
 
   int signal = 0;
   sigwait(&stop_signals, &signal);
-  std::cout << "\nStopping: running trials are filed." << std::endl;
+  if (!output.json) std::cout << "\nStopping: running trials are filed." << std::endl;
   server.stop();
   return kWorked;
 }
@@ -57,6 +68,24 @@ void add_server_options(CLI::App& command, ServerOptions& options, std::string& 
                    "TLS ends at a proxy in front of this server");
   command.add_option("--web-root", web_root, "The built browser application");
 }
+
+base::Result<std::unique_ptr<FolderLock>> FolderLock::take(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "cathedra.lock").string();
+  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0) {
+    return base::Error{base::ErrorCode::unavailable,
+                       "cannot write in the folder " + folder + "; choose another with --data"};
+  }
+  if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+    close(file);
+    return base::Error{base::ErrorCode::conflict,
+                       "another Cathedra serves the folder " + folder +
+                           " already; stop it first, or choose another with --data"};
+  }
+  return std::unique_ptr<FolderLock>(new FolderLock(file));
+}
+
+FolderLock::~FolderLock() { close(file_); }
 
 base::Result<std::string> database_in(const std::string& folder) {
   std::error_code error;

@@ -109,15 +109,17 @@ void verify(const Options& options, Output& output) {
     std::cout << result->sentence << '\n';
     return;
   }
-  output.print({{"trial_id", options.trial},
-                {"confirmed", result->confirmed},
-                {"same_build", result->same_build},
-                {"sentence", result->sentence},
-                {"chunk", result->chunk.empty() ? ordered_json() : ordered_json(result->chunk)},
-                {"first_second_that_differs",
-                 result->first_second ? ordered_json(*result->first_second) : ordered_json()},
-                {"largest_deviation_mm", result->largest_deviation_mm},
-                {"seconds_compared", result->seconds}});
+  output.print(
+      {{"trial_id", options.trial},
+       {"confirmed", result->confirmed},
+       {"same_build", result->same_build},
+       {"sentence", result->sentence},
+       {"chunk", result->chunk.empty() ? ordered_json() : ordered_json(result->chunk)},
+       {"differs", result->differs.empty() ? ordered_json() : ordered_json(result->differs)},
+       {"first_second_that_differs",
+        result->first_second ? ordered_json(*result->first_second) : ordered_json()},
+       {"largest_deviation_mm", result->largest_deviation_mm},
+       {"seconds_compared", result->seconds}});
 }
 
 void write_trace(std::ostream& out, const assessment::RecordedTrial& trial) {

@@ -83,6 +83,8 @@ void add(const Options& options, Output& output) {
 }
 
 void list(const Options& options, Output& output) {
+  const base::Status there = require_database(options.database);
+  if (!there) return output.fail(there.error());
   auto store = database::Store::open(options.database);
   if (!store) return output.fail(store.error());
   const auto everyone = database::people(**store);
@@ -98,6 +100,8 @@ void list(const Options& options, Output& output) {
 }
 
 void set_disabled(const Options& options, bool disabled, Output& output) {
+  const base::Status there = require_database(options.database);
+  if (!there) return output.fail(there.error());
   auto store = database::Store::open(options.database);
   if (!store) return output.fail(store.error());
   const auto person = database::person_by_name(**store, options.name);
@@ -113,6 +117,8 @@ void set_disabled(const Options& options, bool disabled, Output& output) {
 }
 
 void reset(const Options& options, Output& output) {
+  const base::Status there = require_database(options.database);
+  if (!there) return output.fail(there.error());
   auto store = database::Store::open(options.database);
   if (!store) return output.fail(store.error());
   const auto link = new_setup_link(**store, options.url);

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include <arpa/inet.h>
+
 namespace app {
 namespace {
 
@@ -44,8 +46,10 @@ bool is_own_host(const std::string& host, const ServerOptions& options) {
 }
 
 bool is_loopback(const std::string& address) {
+  // a name such as 127.example.com only looks like an address
+  in_addr four{};
   return address == "localhost" || address == "::1" || address == "[::1]" ||
-         address.starts_with("127.");
+         (inet_pton(AF_INET, address.c_str(), &four) == 1 && address.starts_with("127."));
 }
 
 }  // namespace app

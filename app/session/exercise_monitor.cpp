@@ -85,7 +85,8 @@ double ExerciseMonitor::value_of(const Step& step, const sim::Observation& obser
 void ExerciseMonitor::begin_step(double time, const sim::Observation& observation) {
   const auto index = static_cast<std::size_t>(task_.step_index);
   steps_[index].started = time;
-  within_since_ = -1.0;
+  // holding still begins with the step itself, reaching a mark only when it is reached
+  within_since_ = steps_[index].kind == assessment::StepKind::hold ? time : -1.0;
   task_.held = 0.0;
   task_.step_start = value_of(descriptions_[index], observation);
   hold_origin_axial_ = observation.handle_axial;

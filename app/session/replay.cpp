@@ -8,6 +8,7 @@
 
 #include "app/devices/recorded_operator.h"
 #include "app/session/build_info.h"
+#include "app/session/record_comparison.h"
 #include "app/session/recording.h"
 #include "app/session/trial_file.h"
 #include "app/session/trial_run.h"
@@ -134,7 +135,7 @@ std::uint32_t last_step_of(const StoredTrace& trace) {
   return trace.seconds.empty() ? 0 : trace.seconds.back().step;
 }
 
-// Second by second: the state, and how far the tip was from the record.
+// Second by second: the state, everything observed, and how far the tip was from the record.
 void compare_seconds(const StoredTrace& trace, const std::vector<RecordedSecond>& replayed,
                      Verification& result) {
   const std::size_t count = std::min(trace.seconds.size(), replayed.size());
@@ -147,7 +148,8 @@ void compare_seconds(const StoredTrace& trace, const std::vector<RecordedSecond>
     }
     const auto hashes = read_hashes(replayed[k].hashes);
     const bool same = hashes && hashes->front().step == trace.seconds[k].step &&
-                      hashes->front().state == trace.seconds[k].state;
+                      hashes->front().state == trace.seconds[k].state &&
+                      replayed[k].observed == trace.observed[k].bytes;
     if (!same && (!result.first_second || replayed[k].seq < *result.first_second)) {
       result.first_second = replayed[k].seq;
     }
@@ -158,26 +160,18 @@ void compare_seconds(const StoredTrace& trace, const std::vector<RecordedSecond>
   result.seconds = static_cast<int>(count);
 }
 
-// The judgement must come out again too. A trial that a crash cut off has none.
-bool same_judgement(const Setting& setting, const TrialRun& run) {
-  if (setting.trial.state_hash.empty()) return true;
-  const Judgement judgement = judge(setting.exercise, run.recorded_trial());
-  if (run.state_hash() != setting.trial.state_hash ||
-      run.input_sha256() != setting.trial.input_sha256 ||
-      judgement.metrics.size() != setting.trial.metrics.size()) {
-    return false;
-  }
-  return std::all_of(judgement.metrics.begin(), judgement.metrics.end(), [&](const auto& metric) {
-    return std::any_of(
-        setting.trial.metrics.begin(), setting.trial.metrics.end(),
-        [&](const auto& stored) { return stored.id == metric.id && stored.value == metric.value; });
-  });
+// A crash cut it off before it was judged: nothing but the trace is there to compare.
+bool was_cut_off(const database::StoredTrial& trial) {
+  return trial.end_reason == assessment::EndReason::aborted && trial.state_hash.empty() &&
+         trial.input_sha256.empty() && trial.metrics.empty();
 }
 
 std::string verdict_sentence(const Verification& result, const std::string& build) {
   if (result.confirmed) {
-    return "Confirmed: the replay gave the same state in each of the " +
-           std::to_string(result.seconds) + " recorded seconds, and the same metrics.";
+    return "Confirmed: the replay gave the same state and observations in each of the " +
+           std::to_string(result.seconds) + " recorded seconds, " +
+           (result.cut_off ? "up to where the trial was cut off; it was never judged."
+                           : "and the same steps, events, metrics and verdict.");
   }
   if (result.chunk.empty() && !result.same_build) {
     char text[200];
@@ -195,7 +189,8 @@ std::string verdict_sentence(const Verification& result, const std::string& buil
             std::to_string(*result.first_second) + " to " +
             std::to_string(*result.first_second + 1) + " s).";
   } else {
-    text += "the metrics or the end of the trial are not those of the record.";
+    text += "what the database holds of " + result.differs +
+            " is not what the replay of the inputs gives.";
   }
   return text;
 }
@@ -219,7 +214,13 @@ base::Result<Verification> verify_trial(database::Store& store, const std::strin
   play(run, RecordedOperator(readable_inputs(trace)), last_step_of(trace), progress);
   compare_seconds(trace, run.take_recorded(), result);
 
-  result.confirmed = result.chunk.empty() && !result.first_second && same_judgement(*setting, run);
+  result.cut_off = was_cut_off(setting->trial);
+  if (!result.cut_off) {
+    const auto differs = difference_from_record(store, setting->trial, setting->exercise, run);
+    if (!differs) return differs.error();
+    result.differs = *differs;
+  }
+  result.confirmed = result.chunk.empty() && !result.first_second && result.differs.empty();
   result.sentence = verdict_sentence(result, setting->trial.head.build);
   return result;
 }

@@ -16,6 +16,8 @@ struct Verification {
   bool same_build = false;            // only the same build promises equality
   std::string sentence;               // for the person who asked
   std::string chunk;                  // "inputs 3": the first stored chunk that was changed
+  std::string differs;                // "the metric time_s": what else is not the replay's
+  bool cut_off = false;               // ended by a crash, never judged: only its trace is compared
   std::optional<int> first_second;    // the first second that differs, counted from 0
   double largest_deviation_mm = 0.0;  // of the tip, between record and replay
   int seconds = 0;                    // simulated seconds compared

@@ -17,10 +17,13 @@ std::vector<double> forces(const Signals& signals) {
   return result;
 }
 
+// Of every step, not only of the samples: each sample holds the peak since the one before.
 std::optional<double> largest(const Signals& signals) {
-  const std::vector<double> all = forces(signals);
-  return std::max(*std::max_element(all.begin(), all.end()),
-                  value_at_breach(*signals.trial, "force_max_n"));
+  double peak = value_at_breach(*signals.trial, "force_max_n");
+  for (const Sample& sample : signals.trial->samples) {
+    peak = std::max({peak, sample.contact_force, sample.contact_force_peak});
+  }
+  return peak;
 }
 
 std::optional<double> percentile_95(const Signals& signals) {

@@ -11,7 +11,7 @@ namespace {
 std::optional<double> largest_force(const Signals& signals) {
   double largest = value_at_breach(*signals.trial, "handle_force_max_n");
   for (const Sample& sample : signals.trial->samples) {
-    largest = std::max(largest, std::abs(sample.handle_force));
+    largest = std::max({largest, std::abs(sample.handle_force), sample.handle_force_peak});
   }
   return largest;
 }

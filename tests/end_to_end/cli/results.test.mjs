@@ -60,3 +60,23 @@ test('a stored trial is confirmed until one byte of its inputs is changed', () =
   assert.match(run('trial', 'verify', id, ...database).out, /inputs 3.*first second that differs is 3/s);
   assert.equal(run('trial', 'verify', 'unknown', ...database).code, 1);
 });
+
+// One part of the judged record each, forged behind the program's back.
+const forgeries = {
+  'the metric time_s': (id) => `UPDATE metric_value SET value = 1.0 WHERE trial_id='${id}' AND metric='time_s'`,
+  'the reason of the end': (id) => `UPDATE trial SET end_reason='timeout' WHERE id='${id}'`,
+  'the final state': (id) => `UPDATE trial SET state_hash='' WHERE id='${id}'`,
+  'the steps': (id) => `UPDATE trial_step SET ended_s = ended_s + 1 WHERE trial_id='${id}'`,
+  'the events': (id) => `DELETE FROM event WHERE trial_id='${id}'`,
+  'the verdict': () => 'UPDATE criterion SET met = 1 - met',
+};
+
+for (const [part, forge] of Object.entries(forgeries)) {
+  test(`a forged record is not confirmed: ${part}`, () => {
+    const id = perform('--operator', 'expert', '--seed', '11').trial_id;
+    sql(file, forge(id));
+    const answer = run('trial', 'verify', id, ...database, '--json');
+    assert.equal(answer.code, 1);
+    assert.equal(answer.json.differs, part);
+  });
+}
