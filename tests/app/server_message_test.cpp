@@ -72,7 +72,8 @@ TEST(SameOrigin, ALoopbackServerAnswersOnlyToNamesOfTheMachine) {
   for (const char* host : {"localhost:8080", "127.0.0.1", "[::1]:8080"}) {
     EXPECT_TRUE(is_own_host(host, options)) << host;
   }
-  for (const char* host : {"", "evil.example:8080", "localhost.evil.example", "10.0.0.1"}) {
+  for (const char* host :
+       {"", "evil.example:8080", "localhost.evil.example", "10.0.0.1", "127.evil.example"}) {
     EXPECT_FALSE(is_own_host(host, options)) << host;
   }
   options.behind_proxy = true;

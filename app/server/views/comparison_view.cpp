@@ -68,7 +68,6 @@ json test_json(const assessment::GroupComparison& comparison) {
 
 json warnings_json(const assessment::GroupComparison& comparison) {
   json warnings = comparison.warnings;
-  if (!comparison.separation.empty()) warnings.insert(warnings.begin(), comparison.separation);
   for (const auto* group : {&comparison.first, &comparison.second}) {
     if (has_spread(*group)) continue;
     warnings.push_back("The " + group->group + " group has " +
