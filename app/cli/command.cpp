@@ -115,4 +115,8 @@ base::Status write_whole_file(const std::string& path, const std::string& text) 
                      "could not write " + path + "; is the folder there and writable?"};
 }
 
+std::string setup_url(const std::string& site_url, const std::string& token) {
+  return site_url + "/setup?token=" + token;
+}
+
 }  // namespace app::cli

@@ -64,6 +64,9 @@ base::Status require_database(const std::string& url);
 // Fails with unavailable.
 base::Status write_whole_file(const std::string& path, const std::string& text);
 
+// Where the first administrator sets up a site, once.
+std::string setup_url(const std::string& site_url, const std::string& token);
+
 // Each adds one command with its sub-commands. `output` outlives the parsing.
 void add_serve(CLI::App& app, Output& output);
 void add_demo(CLI::App& app, Output& output);

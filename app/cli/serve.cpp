@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/cli/serving.h"
-#include "app/cli/setup_link.h"
+#include "app/server/setup_link.h"
 
 namespace app::cli {
 namespace {
@@ -30,19 +30,20 @@ void serve(Options& options, Output& output) {
   std::unique_ptr<database::Store> store = *std::move(opened);
   output.exit_code = serve_until_stopped(
       options.server, *std::move(library), output, [&](const std::string& site_url) {
-        const auto needed = needs_administrator(*store);
+        const auto needed = needs_setup(*store);
         nlohmann::ordered_json document = {{"setup_link", nullptr}};
         if (!needed || !*needed) return document;
-        const auto link = new_setup_link(*store, site_url);
-        if (!link) {
-          std::cerr << "cathedra: " << link.error().message << '\n';
+        const auto token = make_setup_token(*store);
+        if (!token) {
+          std::cerr << "cathedra: " << token.error().message << '\n';
           return document;
         }
-        document["setup_link"] = *link;
+        const std::string link = setup_url(site_url, *token);
+        document["setup_link"] = link;
         if (!output.json) {
           std::cout << "This site has no administrator yet. Open this link once, within 24 "
                        "hours:\n  "
-                    << *link << std::endl;
+                    << link << std::endl;
         }
         return document;
       });

@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "app/cli/command.h"
-#include "app/cli/setup_link.h"
 #include "app/server/passwords.h"
+#include "app/server/setup_link.h"
 #include "database/people.h"
 
 namespace app::cli {
@@ -121,10 +121,11 @@ void reset(const Options& options, Output& output) {
   if (!there) return output.fail(there.error());
   auto store = database::Store::open(options.database);
   if (!store) return output.fail(store.error());
-  const auto link = new_setup_link(**store, options.url);
-  if (!link) return output.fail(link.error());
-  if (output.json) return output.print({{"setup_link", *link}});
-  std::cout << "Open this link once, within 24 hours, to set up an administrator:\n  " << *link
+  const auto token = make_setup_token(**store);
+  if (!token) return output.fail(token.error());
+  const std::string link = setup_url(options.url, *token);
+  if (output.json) return output.print({{"setup_link", link}});
+  std::cout << "Open this link once, within 24 hours, to set up an administrator:\n  " << link
             << '\n';
 }
 
