@@ -39,6 +39,8 @@ const std::array<Skill, 3>& skills() {
        .hesitation = 0.4,
        .tremor = 0.02,
        .wobble = 2.0_deg,
+       .slip = 0.2,
+       .turn_slip = 0.4_deg,
        .learning = 0.04},
       {.name = "intermediate",
        .feed_speed = 17.0,
@@ -52,6 +54,8 @@ const std::array<Skill, 3>& skills() {
        .hesitation = 0.8,
        .tremor = 0.04,
        .wobble = 8.0_deg,
+       .slip = 0.7,
+       .turn_slip = 1.5_deg,
        .learning = 0.10},
       {.name = "novice",
        .feed_speed = 11.0,
@@ -65,6 +69,8 @@ const std::array<Skill, 3>& skills() {
        .hesitation = 1.3,
        .tremor = 0.08,
        .wobble = 20.0_deg,
+       .slip = 1.6,
+       .turn_slip = 5.0_deg,
        .learning = 0.18},
   }};
   return kSkills;
@@ -91,6 +97,8 @@ SimulatedOperator::SimulatedOperator(const Skill& skill, std::uint64_t seed, int
   skill_.hesitation_rate /= gain;
   skill_.tremor /= gain;
   skill_.wobble /= gain;
+  skill_.slip /= gain;
+  skill_.turn_slip /= gain;
   tremor_frequency_ = 8.0 + 4.0 * uniform();
 }
 
@@ -129,6 +137,16 @@ void SimulatedOperator::plan(double time, double distance, bool turning, double 
   }
 }
 
+// Taking a new grip lets the shaft run back a little: quickly, and more in an unpractised hand.
+void SimulatedOperator::plan_slip(double time) {
+  const double mean = submovement_.turning ? skill_.turn_slip : skill_.slip;
+  submovement_.distance = std::copysign(mean * (0.5 + uniform()), -submovement_.distance);
+  submovement_.begun = time;
+  submovement_.duration = 0.25;
+  moving_ = true;
+  slipping_ = true;
+}
+
 sim::HandleInput SimulatedOperator::next(const sim::Observation& seen,
                                          const ExerciseMonitor& monitor) {
   if (seen.step % kControlSteps != 0) return held_;
@@ -141,6 +159,7 @@ sim::HandleInput SimulatedOperator::next(const sim::Observation& seen,
   if (task.step_index != step_index_) {
     step_index_ = task.step_index;
     moving_ = false;
+    slipping_ = false;
     busy_until_ = time + skill_.reaction * (1.0 + 0.2 * std::abs(normal()));
   }
   if (step.kind == Step::Kind::hold || time < busy_until_) return held_;
@@ -155,7 +174,13 @@ sim::HandleInput SimulatedOperator::next(const sim::Observation& seen,
 
   const double phase = (time - submovement_.begun) / submovement_.duration;
   if (phase >= 1.0) {
+    const bool far = std::abs(step.target - at) > 3.0 * step.tolerance;
+    if (!slipping_ && far) {
+      plan_slip(time);
+      return held_;
+    }
     moving_ = false;
+    slipping_ = false;
     busy_until_ = time + 0.5 * skill_.reaction;  // look, take a new grip
     return held_;
   }

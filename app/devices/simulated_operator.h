@@ -30,6 +30,8 @@ struct Skill {
   double hesitation = 0.0;       // s, mean
   double tremor = 0.0;           // mm, SD of the tremor's travel; turning: the same in degrees
   double wobble = 0.0;           // rad/s, SD of unwanted turning while feeding
+  double slip = 0.0;             // mm the shaft runs back while the hand takes a new grip, mean
+  double turn_slip = 0.0;        // rad likewise
   double learning = 0.0;         // exponent b of speed ~ trial^b, and of 1 / error
 };
 
@@ -52,6 +54,7 @@ class SimulatedOperator final : public Operator {
   };
 
   void plan(double time, double distance, bool turning, double tolerance);
+  void plan_slip(double time);
   double normal();
   double uniform();
 
@@ -60,6 +63,7 @@ class SimulatedOperator final : public Operator {
   int step_index_ = -1;
   double busy_until_ = 0.0;  // s: reacting, hesitating or regripping until then
   bool moving_ = false;
+  bool slipping_ = false;
   Submovement submovement_;
   double tremor_phase_ = 0.0;
   double tremor_frequency_ = 10.0;  // Hz
