@@ -42,12 +42,12 @@ struct Example {
   const char* display_name;
   const char* skill;
 };
-constexpr Example kExamples[] = {{"simulated:expert-a", "Simulated expert A", "expert"},
-                                 {"simulated:novice-a", "Simulated novice A", "novice"},
-                                 {"simulated:expert-b", "Simulated expert B", "expert"},
-                                 {"simulated:novice-b", "Simulated novice B", "novice"},
-                                 {"simulated:expert-c", "Simulated expert C", "expert"},
-                                 {"simulated:novice-c", "Simulated novice C", "novice"}};
+constexpr Example kExamples[] = {{"simulated:expert-a", "Sim expert A", "expert"},
+                                 {"simulated:novice-a", "Sim novice A", "novice"},
+                                 {"simulated:expert-b", "Sim expert B", "expert"},
+                                 {"simulated:novice-b", "Sim novice B", "novice"},
+                                 {"simulated:expert-c", "Sim expert C", "expert"},
+                                 {"simulated:novice-c", "Sim novice C", "novice"}};
 
 base::Status add_accounts(database::Store& store) {
   for (const Account& account : kAccounts) {

@@ -78,8 +78,8 @@ test('the pages of an instructor', {timeout: 300_000}, async () => {
   await page.getByRole('button', {name: /^Curves/}).first().click();
   await page.getByRole('figure').first().waitFor();
   await inspect(page, 'people-curves');
-  await page.getByRole('link', {name: /Simulated expert A/}).click();
-  await page.getByRole('heading', {name: /Simulated expert A/, level: 1}).waitFor();
+  await page.getByRole('link', {name: /Sim expert A/}).click();
+  await page.getByRole('heading', {name: /Sim expert A/, level: 1}).waitFor();
   await inspect(page, 'person');
   await page.getByRole('link', {name: /^Debrief/}).first().click();
   await page.getByRole('region', {name: 'Verdict'}).waitFor();

@@ -22,21 +22,17 @@ json head_json(const reports::ComparisonSubject& subject) {
           {"apparatus", subject.apparatus}};
 }
 
-bool has_spread(const assessment::GroupResult& group) {
-  return group.over_participants.standard_deviation && group.improvement_percent;
-}
+json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
 
 json groups_json(const assessment::GroupComparison& comparison) {
   json list = json::array();
   for (const auto* group : {&comparison.first, &comparison.second}) {
-    // a single person has no spread, a single trial no improvement: the warnings say so
-    if (!has_spread(*group)) continue;
     list.push_back({{"level", group->group},
                     {"people", group->participants},
                     {"trials", group->trials},
                     {"mean_s", group->over_participants.mean},
-                    {"sd_s", *group->over_participants.standard_deviation},
-                    {"improvement_percent", *group->improvement_percent}});
+                    {"sd_s", or_null(group->over_participants.standard_deviation)},
+                    {"improvement_percent", or_null(group->improvement_percent)}});
   }
   return list;
 }
@@ -66,18 +62,6 @@ json test_json(const assessment::GroupComparison& comparison) {
   return {{"u", u}, {"p", ranks.p_two_sided}, {"p_floor", ranks.p_floor}, {"sentence", sentence}};
 }
 
-json warnings_json(const assessment::GroupComparison& comparison) {
-  json warnings = comparison.warnings;
-  for (const auto* group : {&comparison.first, &comparison.second}) {
-    if (has_spread(*group)) continue;
-    warnings.push_back("The " + group->group + " group has " +
-                       count_words(group->participants, "person", "people") + " and " +
-                       count_words(group->trials, "trial", "trials") +
-                       ": too few for a spread and an improvement.");
-  }
-  return warnings;
-}
-
 }  // namespace
 
 json comparison_json(const assessment::GroupComparison& comparison,
@@ -91,7 +75,7 @@ json comparison_json(const assessment::GroupComparison& comparison,
   answer["test"] = test_json(comparison);
   answer["learning"] = to_json(reports::learning_table(comparison));
   answer["nesting_sentence"] = comparison.nesting;
-  answer["warnings"] = warnings_json(comparison);
+  answer["warnings"] = comparison.warnings;
   return answer;
 }
 

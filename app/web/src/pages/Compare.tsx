@@ -133,8 +133,8 @@ function Groups({groups}: {groups: GroupSummary[]}) {
               <td className="r">{group.people}</td>
               <td className="r">{group.trials}</td>
               <td className="r strong">{formatValue(group.mean_s, 's')}</td>
-              <td className="r">{formatValue(group.sd_s, 's')}</td>
-              <td className="r">{formatNumber(group.improvement_percent, 1)} %</td>
+              <td className="r">{group.sd_s === null ? '–' : formatValue(group.sd_s, 's')}</td>
+              <td className="r">{group.improvement_percent === null ? '–' : `${formatNumber(group.improvement_percent, 1)} %`}</td>
             </tr>
           ))}
         </tbody>

@@ -346,11 +346,11 @@ export interface GroupSummary {
   /**
    * over participant means
    */
-  sd_s: number;
+  sd_s: number | null;
   /**
    * first to last trial
    */
-  improvement_percent: number;
+  improvement_percent: number | null;
 }
 /**
  * per person: first, last, improvement, power law
