@@ -25,19 +25,29 @@ std::span<const Route> routes() {
       {remove, "/api/session", Who::signed_in(), delete_session},
       {post, "/api/setup", Who::anyone(), post_setup, kSlow},
 
+      // one's own
       {get, "/api/training", trains(), get_training},
       {get, "/api/exercises/{id}", trains(), get_exercise},
       {get, "/api/anatomies/{id}/mesh.glb", Who::signed_in(), get_mesh, kSlow},
       {get, "/api/metrics", Who::signed_in(), get_metrics},
 
+      // trials
       {post, "/api/trials", trains(), post_trial, kSlow},
       {get, "/api/live/mine", trains(), get_live_mine},
       {get, "/api/live/{id}", trains().about(Subject::trial), nullptr, kQuick, true},
       {get, "/api/trials/{id}", trains().about(Subject::trial), get_trial},
 
+      // people
       {get, "/api/people", teaches(), get_people},
       {get, "/api/people/{id}/progress", trains().about(Subject::person), get_progress},
 
+      // curricula, instruments
+
+      // cohort
+
+      // the system
+
+      // reports
       {get, "/api/compare", compares(), get_compare_options},
       {get, "/api/compare/{id}.csv", compares(), get_comparison_csv, kSlow},
       {get, "/api/compare/{id}.html", compares(), get_comparison_html, kSlow},
