@@ -2,7 +2,7 @@ import type {ReactNode} from 'react';
 import {Link, useLocation} from 'wouter';
 import {useSignedIn} from '../parts/api';
 import {initialsOf} from '../parts/format';
-import {navigationOf} from '../parts/paths';
+import {isThere, navigationOf, paths} from '../parts/paths';
 import {DemoBanner} from './DemoBanner';
 import styles from './shell.module.css';
 
@@ -39,14 +39,19 @@ export function Shell({demo, onSignedOut, children}: Props) {
           </ul>
         </nav>
         <div className={styles.who}>
-          <span>{session.display_name}</span>
-          <span className={styles.avatar} aria-hidden="true">{initialsOf(session.display_name)}</span>
+          {isThere(paths.settings)
+            ? <Link className={styles.me} href={paths.settings} title="Settings"><Me name={session.display_name} /></Link>
+            : <Me name={session.display_name} />}
           <button type="button" className={styles.out} onClick={signOut}>Sign out</button>
         </div>
       </header>
       <main id="content" className="page" tabIndex={-1}>{children}</main>
     </>
   );
+}
+
+function Me({name}: {name: string}) {
+  return <><span>{name}</span><span className={styles.avatar} aria-hidden="true">{initialsOf(name)}</span></>;
 }
 
 export function Mark() {
