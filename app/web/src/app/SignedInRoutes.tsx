@@ -5,6 +5,7 @@ import {Loading} from '../parts/Loading';
 import {useSignedIn} from '../parts/api';
 import {navigationOf} from '../parts/paths';
 import {Briefing} from '../pages/Briefing';
+import {Cohort} from '../pages/cohort/Cohort';
 import {Compare} from '../pages/Compare';
 import {Controls} from '../pages/Controls';
 import {Debrief} from '../pages/Debrief';
@@ -44,6 +45,7 @@ export function SignedInRoutes({demo, version, onSignedOut}: Props) {
       <Route path="/exercises/:id">{({id}) => desk(<Briefing exerciseId={decodeURIComponent(id)} />)}</Route>
       <Route path="/trials/:id">{({id}) => desk(<Debrief trialId={decodeURIComponent(id)} />)}</Route>
       <Route path="/progress">{desk(<Progress />)}</Route>
+      <Route path="/cohort">{desk(<Cohort />)}</Route>
       <Route path="/people">{desk(<People />)}</Route>
       <Route path="/people/:id">{({id}) => desk(<Person personId={decodeURIComponent(id)} />)}</Route>
       <Route path="/compare">{desk(<Compare />)}</Route>

@@ -1,8 +1,11 @@
 import type {ExerciseProgress} from '../wire/types';
 import {ChartView} from './ChartView';
 import {EmptyState} from './EmptyState';
+import {SmallMultiples} from './SmallMultiples';
+import {Standings} from './Standings';
 import {State} from './State';
 import {withoutTitle} from './format';
+import {TrialSummary} from './TrialSummary';
 import {TrialTable} from './TrialTable';
 import styles from './progress.module.css';
 
@@ -20,8 +23,9 @@ export function ProgressSections({exercises, own}: {exercises: ExerciseProgress[
 
 function Section({exercise, own}: {exercise: ExerciseProgress; own: boolean}) {
   const heading = `progress-${exercise.exercise_id}`;
+  const judged = exercise.trials.some((trial) => trial.source !== 'published-data');
   return (
-    <section className="panel" aria-labelledby={heading}>
+    <section className={`panel ${styles.section}`} aria-labelledby={heading}>
       <div className={styles.head}>
         <h2 id={heading}>{exercise.title}</h2>
         <State state={exercise.status} />
@@ -37,8 +41,24 @@ function Section({exercise, own}: {exercise: ExerciseProgress; own: boolean}) {
         )
         : (
           <>
+            {judged && <div className="panel-body"><TrialSummary trials={exercise.trials} /></div>}
             <div className={styles.charts}>{exercise.charts.map((chart) => <ChartView key={chart.id} chart={chart} />)}</div>
-            <div className="panel-body"><TrialTable trials={exercise.trials} caption={`Trials of ${exercise.title}`} /></div>
+            {exercise.standings.length > 0 && (
+              <div className="panel-body">
+                <h3>Last trial beside the others</h3>
+                <Standings standings={exercise.standings} caption={`Last, previous and best of ${exercise.title}`} />
+              </div>
+            )}
+            {exercise.small_multiples.length > 0 && (
+              <>
+                <h3 className={styles.over}>Every recorded metric, trial by trial</h3>
+                <SmallMultiples charts={exercise.small_multiples} />
+              </>
+            )}
+            <div className="panel-body">
+              <h3>All trials</h3>
+              <TrialTable trials={exercise.trials} caption={`Trials of ${exercise.title}`} own={own} />
+            </div>
           </>
         )}
     </section>

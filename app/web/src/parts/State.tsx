@@ -1,12 +1,15 @@
 import type {Outcome, Status} from '../wire/types';
 import {Icon, type IconName} from './Icon';
 
-export type StateName = Status | Outcome | 'met' | 'not_met' | 'voided' | 'running' | 'critical' | 'fail' | 'mark' | 'info';
+export type StateName = Status | Outcome | 'met' | 'not_met' | 'voided' | 'running' | 'critical' | 'fail' | 'mark' | 'info'
+  | 'needs_help' | 'paused';
 export type Tone = 'ok' | 'warn' | 'bad' | 'idle' | 'now';
 
 interface Look {
   icon: IconName;
   word: string;
+  /** where the whole word has no room; the place says the whole word another way */
+  short?: string;
   tone: Tone;
 }
 
@@ -16,8 +19,8 @@ const looks: Readonly<Record<StateName, Look>> = {
   practised: {icon: 'half', word: 'Practised', tone: 'now'},
   available: {icon: 'circle', word: 'Available', tone: 'idle'},
   locked: {icon: 'padlock', word: 'Locked', tone: 'idle'},
-  lapsed: {icon: 'triangle', word: 'Lapsed, retention failed', tone: 'warn'},
-  exhausted: {icon: 'triangle', word: 'Exhausted, ask your instructor', tone: 'warn'},
+  lapsed: {icon: 'triangle', word: 'Lapsed, retention failed', short: 'Lapsed', tone: 'warn'},
+  exhausted: {icon: 'triangle', word: 'Exhausted, ask your instructor', short: 'Exhausted', tone: 'warn'},
   waived: {icon: 'dash', word: 'Waived', tone: 'idle'},
   passed: {icon: 'tick', word: 'Passed', tone: 'ok'},
   not_passed: {icon: 'cross', word: 'Not passed', tone: 'bad'},
@@ -30,6 +33,8 @@ const looks: Readonly<Record<StateName, Look>> = {
   fail: {icon: 'cross', word: 'Fails the trial', tone: 'bad'},
   mark: {icon: 'triangle', word: 'Noted', tone: 'warn'},
   info: {icon: 'info', word: 'Event', tone: 'idle'},
+  needs_help: {icon: 'triangle', word: 'Needs help', tone: 'warn'},
+  paused: {icon: 'pause', word: 'Paused', tone: 'idle'},
 };
 
 /** Sign, word, colour of a state, for the few places that lay them out apart. */
@@ -37,8 +42,17 @@ export function lookOf(state: StateName): Look {
   return looks[state];
 }
 
+interface Props {
+  state: StateName;
+  /** inline: a word in a line; short: the same with its short word; stacked: sign over short word, for narrow columns. */
+  form?: 'inline' | 'short' | 'stacked';
+}
+
 /** The only place that colours a state: a sign and a word carry it, the colour repeats it. */
-export function State({state}: {state: StateName}) {
+export function State({state, form = 'inline'}: Props) {
   const look = looks[state];
-  return <span className={`state tone-${look.tone}`}><Icon name={look.icon} /><span>{look.word}</span></span>;
+  const word = form === 'inline' ? look.word : look.short ?? look.word;
+  return (
+    <span className={`${form === 'stacked' ? 'state-stacked' : 'state'} tone-${look.tone}`}><Icon name={look.icon} /><span>{word}</span></span>
+  );
 }

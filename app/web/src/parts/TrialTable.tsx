@@ -10,7 +10,7 @@ export function stateOfTrial(trial: TrialRow): StateName {
   return trial.outcome ?? 'invalid';
 }
 
-const endWords: Readonly<Record<NonNullable<TrialRow['end_reason']>, string>> = {
+export const endWords: Readonly<Record<NonNullable<TrialRow['end_reason']>, string>> = {
   completed: 'Completed', timeout: 'Time ran out', limit: 'Stopped at a limit', aborted: 'Ended early',
   diverged: 'Simulation stopped',
 };
@@ -28,7 +28,7 @@ export function sourceWord(source: TrialRow['source']): string {
 }
 
 /** Every trial of an exercise, newest first. */
-export function TrialTable({trials, caption}: {trials: readonly TrialRow[]; caption: string}) {
+export function TrialTable({trials, caption, own}: {trials: readonly TrialRow[]; caption: string; own: boolean}) {
   const rows = [...trials].sort((a, b) => b.ordinal - a.ordinal);
   const judged = rows.some((trial) => trial.target_s !== null);
   return (
@@ -50,14 +50,14 @@ export function TrialTable({trials, caption}: {trials: readonly TrialRow[]; capt
           </tr>
         </thead>
         <tbody>
-          {rows.map((trial) => <Row key={trial.trial_id} trial={trial} judged={judged} />)}
+          {rows.map((trial) => <Row key={trial.trial_id} trial={trial} judged={judged} own={own} />)}
         </tbody>
       </table>
     </div>
   );
 }
 
-function Row({trial, judged}: {trial: TrialRow; judged: boolean}) {
+function Row({trial, judged, own}: {trial: TrialRow; judged: boolean; own: boolean}) {
   const over = trial.time_s !== null && trial.target_s !== null ? trial.time_s - trial.target_s : null;
   return (
     <tr>
@@ -72,8 +72,8 @@ function Row({trial, judged}: {trial: TrialRow; judged: boolean}) {
       <td className="muted">{sourceWord(trial.source)}</td>
       <td className="r">
         {trial.source !== 'published-data' && (
-          <Link href={trial.end_reason === null ? paths.console(trial.trial_id) : paths.debrief(trial.trial_id)}>
-            {trial.end_reason === null ? 'Open' : 'Debrief'}<span className="visually-hidden"> of trial {trial.ordinal}</span>
+          <Link href={trial.end_reason !== null ? paths.debrief(trial.trial_id) : own ? paths.console(trial.trial_id) : paths.watch(trial.trial_id)}>
+            {trial.end_reason !== null ? 'Debrief' : own ? 'Open' : 'Watch'}<span className="visually-hidden"> of trial {trial.ordinal}</span>
           </Link>
         )}
       </td>

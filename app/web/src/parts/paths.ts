@@ -17,6 +17,7 @@ export const paths = {
   watch: (trialId: string) => `/live/${part(trialId)}`,
   people: '/people',
   person: (personId: string) => `/people/${part(personId)}`,
+  personExercise: (personId: string, exerciseId: string) => `/people/${part(personId)}?exercise=${part(exerciseId)}`,
   importPeople: '/people/import',
   curricula: '/curricula',
   curriculum: (id: string, version = 'draft') => `/curricula/${part(id)}?version=${part(version)}`,
