@@ -5,6 +5,7 @@ import {ErrorState} from '../parts/ErrorState';
 import {Loading} from '../parts/Loading';
 import {SignedInContext} from '../parts/api';
 import {paths} from '../parts/paths';
+import {Join} from '../pages/Join';
 import {Setup} from '../pages/Setup';
 import {SignIn} from '../pages/SignIn';
 import {createApi} from '../wire/api';
@@ -76,6 +77,19 @@ function Entrance() {
     return <main className="page"><ErrorState problem={problem} onRetry={retry} /></main>;
   }
   if (!start) return <main className="page"><Loading what="Cathedra" /></main>;
+  // even beside a session of somebody else: the link is for the person who holds it
+  if (location === paths.join) {
+    const join = (session: Session) => {
+      enter(session);
+      navigate('/', {replace: true});
+    };
+    return (
+      <>
+        {start.site.demo && <DemoBanner />}
+        <Join api={api} present={session} onDone={join} />
+      </>
+    );
+  }
   if (!signedIn) {
     return (
       <>

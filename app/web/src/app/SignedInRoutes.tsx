@@ -10,10 +10,13 @@ import {Compare} from '../pages/Compare';
 import {Controls} from '../pages/Controls';
 import {Debrief} from '../pages/Debrief';
 import {Help} from '../pages/Help';
+import {Instruments} from '../pages/Instruments';
 import {People} from '../pages/People';
 import {Person} from '../pages/Person';
 import {Progress} from '../pages/Progress';
+import {System} from '../pages/System';
 import {Training} from '../pages/Training';
+import {ImportPeople} from '../pages/people/ImportPeople';
 import {DemoBanner} from './DemoBanner';
 import {Shell} from './Shell';
 import styles from './shell.module.css';
@@ -47,7 +50,10 @@ export function SignedInRoutes({demo, version, onSignedOut}: Props) {
       <Route path="/progress">{desk(<Progress />)}</Route>
       <Route path="/cohort">{desk(<Cohort />)}</Route>
       <Route path="/people">{desk(<People />)}</Route>
+      {session.role === 'administrator' && <Route path="/people/import">{desk(<ImportPeople />)}</Route>}
       <Route path="/people/:id">{({id}) => desk(<Person personId={decodeURIComponent(id)} />)}</Route>
+      <Route path="/instruments">{desk(<Instruments />)}</Route>
+      <Route path="/system">{desk(<System />)}</Route>
       <Route path="/compare">{desk(<Compare />)}</Route>
       <Route path="/controls">{desk(<Controls />)}</Route>
       <Route path="/help">{desk(<Help version={version} />)}</Route>

@@ -1,139 +1,117 @@
-import {SegmentedControl, TextInput} from '@mantine/core';
+import {Button, NativeSelect, SegmentedControl, TextInput} from '@mantine/core';
 import {useState} from 'react';
-import {Link} from 'wouter';
-import {ChartView} from '../parts/ChartView';
+import {Link, useLocation, useSearch} from 'wouter';
 import {EmptyState} from '../parts/EmptyState';
 import {Loaded} from '../parts/Loaded';
-import {KindTag, levelWord} from '../parts/PersonFacts';
-import {State} from '../parts/State';
-import {useResource} from '../parts/api';
-import {formatCount, formatWhen, shortTitle} from '../parts/format';
-import {needsHelp, orderPeople, peopleOfKind, peopleViews, type PeopleView} from '../parts/people_order';
+import {Pager} from '../parts/Pager';
+import {levelChoices, roles, roleWord} from '../parts/PersonFacts';
+import {useResource, useSignedIn} from '../parts/api';
+import {formatCount} from '../parts/format';
+import {choosePeople, filterOf, groupsOf, isFiltered, peoplePerPage, queryOf, type PeopleFilter} from '../parts/people_filter';
+import {needsHelp, peopleOfKind, peopleViews, type PeopleView} from '../parts/people_order';
 import {paths} from '../parts/paths';
 import {useTitle} from '../parts/use_title';
 import type {PersonRow} from '../wire/types';
+import {InviteDialog} from './people/InviteDialog';
+import {PeopleTable} from './people/PeopleTable';
 import styles from './people.module.css';
 
-/** Who needs help? */
+/** Who is here, and who needs help? */
 export function People() {
   useTitle('People');
   const resource = useResource('people', (api) => api.people());
-  return <Loaded resource={resource} what="the people">{({people}) => <List people={people} />}</Loaded>;
+  return <Loaded resource={resource} what="the people">{({people}, retry) => <Page people={people} onChanged={retry} />}</Loaded>;
 }
 
-function List({people}: {people: PersonRow[]}) {
-  const [view, setView] = useState<PeopleView>('live');
-  const [search, setSearch] = useState('');
-  const wanted = search.trim().toLowerCase();
-  const matches = (person: PersonRow) =>
-    [person.display_name, person.name, ...person.groups].some((text) => text.toLowerCase().includes(wanted));
-  const shown = orderPeople(peopleOfKind(people, view).filter(matches));
-  const helpless = peopleOfKind(people, 'live').filter(needsHelp).length;
+function Page({people, onChanged}: {people: PersonRow[]; onChanged: () => void}) {
+  const {session} = useSignedIn();
+  const administers = session.role === 'administrator';
+  const [inviting, setInviting] = useState(false);
   return (
     <>
-      <div className="page-head">
+      <div className={`page-head ${styles.head}`}>
         <h1>People</h1>
-        <span className="muted num">
-          {helpless === 0 ? 'Nobody is stuck.' : `${formatCount(helpless, 'person needs', 'people need')} help; they come first.`}
-        </span>
+        <span className="muted num">{headline(people)}</span>
+        {administers && (
+          <span className={styles.actions}>
+            <Button component={Link} href={paths.importPeople} variant="default">Import from CSV</Button>
+            <Button onClick={() => setInviting(true)}>Invite a person</Button>
+          </span>
+        )}
       </div>
-      <div className={styles.filters}>
-        <SegmentedControl aria-label="Which people" size="sm" value={view} onChange={(value) => setView(value as PeopleView)}
-          data={peopleViews.map(({id, label}) => ({value: id, label: `${label} ${peopleOfKind(people, id).length}`}))} />
-        <TextInput aria-label="Find by name or group" placeholder="Find by name or group" value={search}
-          onChange={(event) => setSearch(event.currentTarget.value)} />
-      </div>
+      <List people={people} administers={administers} />
+      {administers && <InviteDialog opened={inviting} onClose={(invited) => {
+        setInviting(false);
+        if (invited) onChanged();
+      }} />}
+    </>
+  );
+}
+
+function headline(people: readonly PersonRow[]): string {
+  const live = peopleOfKind(people, 'live');
+  const helpless = live.filter(needsHelp).length;
+  const here = formatCount(live.length, 'person', 'people');
+  if (helpless === 0) return `${here}. Nobody is stuck.`;
+  return `${here}. ${formatCount(helpless, 'needs', 'need')} help and ${helpless === 1 ? 'comes' : 'come'} first.`;
+}
+
+function List({people, administers}: {people: PersonRow[]; administers: boolean}) {
+  const [, navigate] = useLocation();
+  const filter = filterOf(new URLSearchParams(useSearch()));
+  const change = (part: Partial<PeopleFilter>) => {
+    const query = queryOf({...filter, page: 0, ...part}).toString();
+    navigate(query === '' ? paths.people : `${paths.people}?${query}`, {replace: true});
+  };
+  const chosen = choosePeople(people, filter);
+  const page = Math.min(filter.page, Math.max(0, Math.ceil(chosen.length / peoplePerPage) - 1));
+  const shown = chosen.slice(page * peoplePerPage, (page + 1) * peoplePerPage);
+  return (
+    <>
+      <Filters people={people} filter={filter} onChange={change} />
       <section className="panel" aria-label="List of people">
         <div className="panel-body">
           {shown.length === 0
-            ? <EmptyState title="Nobody here">{wanted === '' ? 'No one of this kind has been added yet.' : 'No name or group matches. Clear the search.'}</EmptyState>
-            : <PeopleTable people={shown} />}
+            ? <Nobody filtered={isFiltered(filter)} onClear={() => change({search: '', role: '', group: '', level: '', status: ''})} />
+            : <PeopleTable people={shown} filter={filter} administers={administers} onSort={(sort, reverse) => change({sort, reverse})} />}
+          <Pager page={page} size={peoplePerPage} total={chosen.length} what="people" onPage={(next) => change({page: next})} />
         </div>
       </section>
     </>
   );
 }
 
-function PeopleTable({people}: {people: PersonRow[]}) {
+function Nobody({filtered, onClear}: {filtered: boolean; onClear: () => void}) {
   return (
-    <div className="table-scroll">
-      <table className="table">
-        <thead>
-          <tr>
-            <th scope="col">Name</th>
-            <th scope="col">Level</th>
-            <th scope="col">Groups</th>
-            <th scope="col">Exercises</th>
-            <th scope="col" className="r">Trials</th>
-            <th scope="col">Last trial</th>
-            <th scope="col"><span className="visually-hidden">Curves</span></th>
-          </tr>
-        </thead>
-        <tbody>
-          {people.map((person) => <PersonLines key={person.person_id} person={person} />)}
-        </tbody>
-      </table>
+    <EmptyState title="Nobody here">
+      {filtered ? <Button variant="default" mt="sm" onClick={onClear}>Show everybody</Button> : 'No one of this kind has been added yet.'}
+    </EmptyState>
+  );
+}
+
+interface FiltersProps {
+  people: PersonRow[];
+  filter: PeopleFilter;
+  onChange: (part: Partial<PeopleFilter>) => void;
+}
+
+function Filters({people, filter, onChange}: FiltersProps) {
+  const groups = groupsOf(peopleOfKind(people, filter.view));
+  return (
+    <div className={styles.filters}>
+      <SegmentedControl aria-label="Which people" size="sm" value={filter.view} onChange={(value) => onChange({view: value as PeopleView})}
+        data={peopleViews.map(({id, label}) => ({value: id, label: `${label} ${peopleOfKind(people, id).length}`}))} />
+      <TextInput aria-label="Find by name or group" placeholder="Find by name or group" value={filter.search} type="search"
+        onChange={(event) => onChange({search: event.currentTarget.value})} />
+      <NativeSelect aria-label="Role" value={filter.role} onChange={(event) => onChange({role: event.currentTarget.value as PeopleFilter['role']})}
+        data={[{value: '', label: 'All roles'}, ...roles.map((role) => ({value: role, label: roleWord(role)}))]} />
+      <NativeSelect aria-label="Group" value={filter.group} onChange={(event) => onChange({group: event.currentTarget.value})}
+        data={[{value: '', label: 'All groups'}, ...groups.map((group) => ({value: group, label: group}))]} />
+      <NativeSelect aria-label="Level" value={filter.level} onChange={(event) => onChange({level: event.currentTarget.value as PeopleFilter['level']})}
+        data={[{value: '', label: 'All levels'}, ...levelChoices, {value: 'none', label: 'Not set'}]} />
+      <NativeSelect aria-label="Status" value={filter.status} onChange={(event) => onChange({status: event.currentTarget.value as PeopleFilter['status']})}
+        data={[{value: '', label: 'Any status'}, {value: 'active', label: 'Active'}, {value: 'disabled', label: 'Disabled'},
+          {value: 'help', label: 'Needs help'}]} />
     </div>
-  );
-}
-
-function PersonLines({person}: {person: PersonRow}) {
-  const [open, setOpen] = useState(false);
-  const curves = `curves-${person.person_id}`;
-  return (
-    <>
-      <tr>
-        <th scope="row">
-          <span className={styles.name}>
-            <Link href={paths.person(person.person_id)}>{person.display_name}</Link>
-            <KindTag kind={person.kind} />
-            {person.kind === 'live' && person.role !== 'trainee' && <span className="tag">{person.role}</span>}
-            {person.disabled && <span className="tag">Disabled</span>}
-          </span>
-        </th>
-        <td className="muted">{levelWord(person.level)}</td>
-        <td className="muted">{person.groups.length === 0 ? '–' : person.groups.join(', ')}</td>
-        <td>{person.statuses.length === 0 ? <span className="faint">–</span> : <Statuses person={person} />}</td>
-        <td className="r">{person.trials}</td>
-        <td className="muted">{person.kind === 'published' ? '–' : formatWhen(person.last_trial_utc)}</td>
-        <td className="r">
-          {person.trials > 0 && (
-            <button type="button" className={styles.toggle} aria-expanded={open} aria-controls={curves} onClick={() => setOpen(!open)}>
-              {open ? 'Hide' : 'Curves'}<span className="visually-hidden"> of {person.display_name}</span>
-            </button>
-          )}
-        </td>
-      </tr>
-      {open && <tr id={curves}><td colSpan={7}><Curves personId={person.person_id} /></td></tr>}
-    </>
-  );
-}
-
-// The learning curves in place, loaded when they are asked for.
-function Curves({personId}: {personId: string}) {
-  const resource = useResource(`progress ${personId}`, (api) => api.progress(personId));
-  return (
-    <Loaded resource={resource} what="the curves">
-      {({exercises}) => (
-        <div className={styles.curves}>
-          {exercises.flatMap((exercise) => exercise.charts.slice(0, 1).map((chart) =>
-            <ChartView key={`${exercise.exercise_id} ${chart.id}`} chart={{...chart, title: `${shortTitle(exercise.title)}: ${chart.title}`}} />))}
-        </div>
-      )}
-    </Loaded>
-  );
-}
-
-function Statuses({person}: {person: PersonRow}) {
-  return (
-    <ul className={styles.statuses}>
-      {person.statuses.map((card) => (
-        <li key={card.exercise_id}>
-          <span className="small">{shortTitle(card.title)}</span>
-          <State state={card.status} />
-          <span className={`xs faint ${styles.sentence}`}>{card.sentence}</span>
-        </li>
-      ))}
-    </ul>
   );
 }

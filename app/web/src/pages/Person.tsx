@@ -1,4 +1,5 @@
 import {NativeSelect} from '@mantine/core';
+import {useState} from 'react';
 import {Link, useLocation, useSearch} from 'wouter';
 import {Downloads} from '../parts/Downloads';
 import {EmptyState} from '../parts/EmptyState';
@@ -11,6 +12,7 @@ import {isThere, paths} from '../parts/paths';
 import {useTitle} from '../parts/use_title';
 import {downloads} from '../wire/downloads';
 import type {ProgressReport} from '../wire/types';
+import {PersonAdministration} from './people/PersonAdministration';
 import styles from './person.module.css';
 
 /** How does this person's skill grow? */
@@ -20,7 +22,8 @@ export function Person({personId}: {personId: string}) {
 }
 
 function Page({report}: {report: ProgressReport}) {
-  const {person, exercises} = report;
+  const {exercises} = report;
+  const [person, setPerson] = useState(report.person);
   useTitle(person.display_name);
   const {session} = useSignedIn();
   const chosen = new URLSearchParams(useSearch()).get('exercise') ?? '';
@@ -43,6 +46,9 @@ function Page({report}: {report: ProgressReport}) {
         </div>
         <Downloads what={`progress of ${person.display_name}`} href={(kind) => downloads.progress(person.person_id, kind)} />
       </div>
+      {session.role === 'administrator' && person.kind === 'live' && (
+        <PersonAdministration personId={person.person_id} onChanged={setPerson} />
+      )}
       <ExerciseFilter report={report} chosen={chosen} />
       {chosen !== '' && shown.length === 0
         ? <EmptyState title="No such exercise here">This person has no trial of it, and it is not part of the curriculum. Choose another one above.</EmptyState>

@@ -2,7 +2,7 @@ import type {Outcome, Status} from '../wire/types';
 import {Icon, type IconName} from './Icon';
 
 export type StateName = Status | Outcome | 'met' | 'not_met' | 'voided' | 'running' | 'critical' | 'fail' | 'mark' | 'info'
-  | 'needs_help' | 'paused';
+  | 'ok' | 'warn' | 'bad' | 'add' | 'change' | 'unchanged' | 'broken' | 'active' | 'invited' | 'disabled' | 'needs_help' | 'paused';
 export type Tone = 'ok' | 'warn' | 'bad' | 'idle' | 'now';
 
 interface Look {
@@ -35,6 +35,19 @@ const looks: Readonly<Record<StateName, Look>> = {
   info: {icon: 'info', word: 'Event', tone: 'idle'},
   needs_help: {icon: 'triangle', word: 'Needs help', tone: 'warn'},
   paused: {icon: 'pause', word: 'Paused', tone: 'idle'},
+  // health of the system
+  ok: {icon: 'tick', word: 'Well', tone: 'ok'},
+  warn: {icon: 'triangle', word: 'Look at it', tone: 'warn'},
+  bad: {icon: 'octagon', word: 'Broken', tone: 'bad'},
+  // rows of an import
+  add: {icon: 'plus', word: 'Add', tone: 'now'},
+  change: {icon: 'half', word: 'Change', tone: 'now'},
+  unchanged: {icon: 'dash', word: 'Unchanged', tone: 'idle'},
+  broken: {icon: 'octagon', word: 'Left out', tone: 'bad'},
+  // people
+  active: {icon: 'ring_tick', word: 'Active', tone: 'ok'},
+  invited: {icon: 'circle', word: 'Invited', tone: 'now'},
+  disabled: {icon: 'padlock', word: 'Disabled', tone: 'idle'},
 };
 
 /** Sign, word, colour of a state, for the few places that lay them out apart. */

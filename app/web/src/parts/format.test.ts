@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 import {
-  digitsToTellApart, formatBound, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf, shortTitle, withoutTitle,
+  digitsToTellApart, formatBound, formatBytes, formatClock, formatCount, formatDifference, formatDuration, formatNumber, formatValue, formatWhen, initialsOf, shortTitle, withoutTitle,
 } from './format';
 
 const thin = '\u00a0';
@@ -79,4 +79,9 @@ it('makes initials', () => {
   expect(initialsOf('Trainee 14')).toBe('T14');
   expect(initialsOf('Ada Lovelace')).toBe('AL');
   expect(initialsOf('')).toBe('');
+});
+
+it('says sizes in the unit that reads best', () => {
+  expect([0, 999, 1000, 1_250_000, 99_960_000, 999_700_000, 2.5e12].map(formatBytes)).toEqual(
+    [`0${thin}bytes`, `999${thin}bytes`, `1${thin}kB`, `1.3${thin}MB`, `100${thin}MB`, `1${thin}GB`, `2.5${thin}TB`]);
 });

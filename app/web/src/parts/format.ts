@@ -111,3 +111,15 @@ export function withoutTitle(sentence: string, title: string): string {
   const rest = sentence.slice(title.length + 2);
   return rest.charAt(0).toUpperCase() + rest.slice(1);
 }
+
+/** 1234567 -> "1.2 MB": decimal units, as discs are sold. */
+export function formatBytes(bytes: number): string {
+  const units = ['bytes', 'kB', 'MB', 'GB', 'TB'];
+  let value = bytes;
+  let unit = 0;
+  while (value >= 999.5 && unit < units.length - 1) {
+    value /= 1000;
+    ++unit;
+  }
+  return `${formatNumber(value, unit === 0 || value >= 99.95 ? 0 : 1)}${thin}${units[unit] ?? ''}`;
+}
