@@ -55,15 +55,23 @@ inline double mesh_bound(double bound, int elements) {
 // One per case: what it is, and how it is run.
 CaseDefinition cantilever_definition();
 base::Status run_cantilever(CaseRun& run);
+CaseDefinition elastica_definition();
+base::Status run_elastica(CaseRun& run);
 CaseDefinition buckling_definition();
 base::Status run_buckling(CaseRun& run);
+CaseDefinition twist_definition();
+base::Status run_twist(CaseRun& run);
 CaseDefinition capstan_definition();
 base::Status run_capstan(CaseRun& run);
 CaseDefinition pre_curved_tip_definition();
 base::Status run_pre_curved_tip(CaseRun& run);
+CaseDefinition whip_definition();
+base::Status run_whip(CaseRun& run);
 CaseDefinition stiction_definition();
 base::Status run_stiction(CaseRun& run);
 CaseDefinition feed_ripple_definition();
 base::Status run_feed_ripple(CaseRun& run);
+CaseDefinition handle_force_definition();
+base::Status run_handle_force(CaseRun& run);
 
 }  // namespace sim::validation

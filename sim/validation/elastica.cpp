@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace sim::validation {
 namespace {
@@ -45,15 +47,25 @@ struct Stretch {
   double curvature = 0.0;
 };
 
+struct Force {
+  double x = 0.0, y = 0.0;
+};
+
+std::array<double, 4> slope_at(const std::array<double, 4>& y, double curvature,
+                               double bending_stiffness, const Force& force) {
+  const double cosine = std::cos(y[0]);
+  const double sine = std::sin(y[0]);
+  return {curvature + y[1] / bending_stiffness, force.x * sine - force.y * cosine, cosine, sine};
+}
+
 // Stretch by stretch, so that no interval of the integration straddles a jump in curvature.
-Shot shoot(std::span<const Stretch> stretches, double bending_stiffness, double force,
+Shot shoot(std::span<const Stretch> stretches, double bending_stiffness, const Force& force,
            double clamp_moment) {
   Shot shot;
   shot.end = {0.0, clamp_moment, 0.0, 0.0};
   for (const Stretch& stretch : stretches) {
     const auto slope = [&](const State& y) {
-      return State{stretch.curvature + y[1] / bending_stiffness, -force * std::cos(y[0]),
-                   std::cos(y[0]), std::sin(y[0])};
+      return slope_at(y, stretch.curvature, bending_stiffness, force);
     };
     const double h = stretch.length / kIntervals;
     for (int i = 0; i < kIntervals; ++i) {
@@ -74,21 +86,52 @@ Elastica elastica(const Shot& shot) {
           .highest_y = shot.highest_y};
 }
 
-}  // namespace
+Force force_along(double load, double direction) {
+  return {load * std::cos(direction), load * std::sin(direction)};
+}
 
-Elastica loaded_cantilever(double length, double bending_stiffness, double load) {
+// With theta'^2 EI / 2 + P cos(direction - theta) = const the moment at the clamp is below
+// sqrt(2 P EI (1 - cos(direction))), and the larger it is the later the moment vanishes. Bisect.
+double cantilever_clamp_moment(double length, double bending_stiffness, double load,
+                               double direction) {
   const Stretch straight[] = {{length, 0.0}};
-  // From ((theta')^2)/2 + P/EI sin(theta) = const: the moment at the clamp is below
-  // sqrt(2 P EI), and the larger it is the later the moment vanishes. Bisect on that.
+  const Force force = force_along(load, direction);
   double low = 0.0;
-  double high = std::sqrt(2.0 * load * bending_stiffness);
+  double high = std::sqrt(2.0 * load * bending_stiffness * (1.0 - std::cos(direction)));
   high = std::min(high, load * length * (1.0 + 1e-9));
   for (int i = 0; i < 100 && high > low; ++i) {
     const double middle = 0.5 * (low + high);
-    const bool early = shoot(straight, bending_stiffness, load, middle).unloaded_early;
+    const bool early = shoot(straight, bending_stiffness, force, middle).unloaded_early;
     (early ? low : high) = middle;
   }
-  return elastica(shoot(straight, bending_stiffness, load, 0.5 * (low + high)));
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+Elastica loaded_cantilever(double length, double bending_stiffness, double load, double direction) {
+  const Stretch straight[] = {{length, 0.0}};
+  const Force force = force_along(load, direction);
+  return elastica(shoot(straight, bending_stiffness, force,
+                        cantilever_clamp_moment(length, bending_stiffness, load, direction)));
+}
+
+std::vector<std::pair<double, double>> loaded_cantilever_shape(double length,
+                                                               double bending_stiffness,
+                                                               double load, double direction,
+                                                               int intervals) {
+  const Force force = force_along(load, direction);
+  const auto slope = [&](const State& y) { return slope_at(y, 0.0, bending_stiffness, force); };
+  const int finer = 1 + kIntervals / intervals;
+  const double h = length / (static_cast<double>(intervals) * finer);
+  State state = {0.0, cantilever_clamp_moment(length, bending_stiffness, load, direction), 0.0,
+                 0.0};
+  std::vector<std::pair<double, double>> points = {{0.0, 0.0}};
+  for (int i = 0; i < intervals; ++i) {
+    for (int k = 0; k < finer; ++k) state = runge_kutta(state, h, slope);
+    points.emplace_back(state[2], state[3]);
+  }
+  return points;
 }
 
 Elastica bent_cantilever(double length, double bending_stiffness, double bend_length,
@@ -96,11 +139,12 @@ Elastica bent_cantilever(double length, double bending_stiffness, double bend_le
   const Stretch stretches[] = {{length - bend_length, 0.0}, {bend_length, curvature}};
   // the moment at the clamp is F x(end): iterate with the secant method on M(end) = 0
   double previous = 0.0;
-  Shot shot = shoot(stretches, bending_stiffness, force, previous);
+  const Force across{0.0, force};
+  Shot shot = shoot(stretches, bending_stiffness, across, previous);
   double previous_error = shot.end[1];
   double moment = -previous_error;
   for (int i = 0; i < 60; ++i) {
-    shot = shoot(stretches, bending_stiffness, force, moment);
+    shot = shoot(stretches, bending_stiffness, across, moment);
     const double error = shot.end[1];
     if (std::abs(error) < 1e-13 * (1.0 + std::abs(force) * length) || error == previous_error) {
       break;

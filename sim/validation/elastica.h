@@ -2,10 +2,15 @@
 // Solved as the ordinary differential equation of the continuum, by Runge-Kutta and shooting: an
 // answer that has nothing in common with the rod solver.
 //
-//   theta' = kappa_0(s) + M / EI,   M' = -F cos(theta),   x' = cos(theta),   y' = sin(theta)
+//   theta' = kappa_0(s) + M / EI,   M' = F_x sin(theta) - F_y cos(theta),
+//   x' = cos(theta),   y' = sin(theta)
 //
-// clamped along x at s = 0, a force F along +y at s = length, where M = 0.
+// clamped along x at s = 0, a dead force F at s = length, where M = 0.
 #pragma once
+
+#include <numbers>
+#include <utility>
+#include <vector>
 
 namespace sim::validation {
 
@@ -17,9 +22,16 @@ struct Elastica {
   double highest_y = 0.0;  // mm
 };
 
-// A straight cantilever under a dead load P along +y at its end (Bisshopp and Drucker 1945):
-// the equilibrium that grows from the unloaded one, any P >= 0.
-Elastica loaded_cantilever(double length, double bending_stiffness, double load);
+// A straight cantilever under a dead load P at its end, `direction` (rad, 0 < direction < pi) being
+// the angle from +x, along which the rod points at rest; pi / 2 is Bisshopp and Drucker 1945. Of
+// the equilibria the one that bends one way only, any P >= 0.
+Elastica loaded_cantilever(double length, double bending_stiffness, double load,
+                           double direction = std::numbers::pi / 2.0);
+// The same rod's points (x, y) at `intervals` + 1 equal distances along it, from the clamp.
+std::vector<std::pair<double, double>> loaded_cantilever_shape(double length,
+                                                               double bending_stiffness,
+                                                               double load, double direction,
+                                                               int intervals);
 
 // A cantilever whose last `bend_length` has the rest curvature `curvature` (1/mm, towards +y),
 // straight before that, under the end force F along +y. For moderate loads.

@@ -13,11 +13,11 @@ constexpr double kStraight = 40.0;      // mm before the bend
 constexpr double kWireLength = 800.0;   // mm
 constexpr double kStartInserted = 5.0;  // mm
 
-RodSettings settings_for(const CaseRun& run) {
+RodSettings settings_for(const CaseRun& run, double element_length) {
   RodSettings settings;
   settings.time_step = run["dt"];
-  settings.element_length = run["element_length"];
-  settings.tip_element_length = run["element_length"];
+  settings.element_length = element_length;
+  settings.tip_element_length = element_length;
   return settings;
 }
 
@@ -43,12 +43,12 @@ TubeWall FedWire::make_tube(double radius, double angle) {
   return tube;
 }
 
-FedWire::FedWire(const CaseRun& run)
+FedWire::FedWire(const CaseRun& run, double element_length)
     : time_step_(run["dt"]),
       bend_end_(kStraight + run["radius"] * radians(run["angle"])),
       tube_(make_tube(run["radius"], radians(run["angle"]))),
       rod_(uniform_instrument(kWireLength, run["ei"], run["gj"], kDiameter, run["mu"]), Access{},
-           &tube_, kStartInserted, settings_for(run)) {}
+           &tube_, kStartInserted, settings_for(run, element_length)) {}
 
 bool FedWire::step(double feed, double turn) {
   axial_ += feed;

@@ -14,7 +14,8 @@ std::vector<ParameterDefinition> fed_wire_parameters();
 
 class FedWire {
  public:
-  explicit FedWire(const CaseRun& run);
+  explicit FedWire(const CaseRun& run) : FedWire(run, run["element_length"]) {}
+  FedWire(const CaseRun& run, double element_length);  // mm, whatever the parameter says
 
   // Moves the handle by that much in one step; false when the simulation failed.
   bool step(double feed, double turn);

@@ -13,14 +13,28 @@ namespace {
 
 using Run = base::Status (*)(CaseRun&);
 
-// In the order of `cases()`.
-constexpr std::array<Run, 6> kRuns = {run_cantilever,     run_buckling, run_capstan,
-                                      run_pre_curved_tip, run_stiction, run_feed_ripple};
+struct Case {
+  CaseDefinition (*define)();
+  Run run;
+};
 
-const std::array<CaseDefinition, 6>& definitions() {
-  static const std::array<CaseDefinition, 6> all = {
-      cantilever_definition(),     buckling_definition(), capstan_definition(),
-      pre_curved_tip_definition(), stiction_definition(), feed_ripple_definition()};
+constexpr std::array kCases = {Case{cantilever_definition, run_cantilever},
+                               Case{elastica_definition, run_elastica},
+                               Case{buckling_definition, run_buckling},
+                               Case{twist_definition, run_twist},
+                               Case{capstan_definition, run_capstan},
+                               Case{pre_curved_tip_definition, run_pre_curved_tip},
+                               Case{whip_definition, run_whip},
+                               Case{stiction_definition, run_stiction},
+                               Case{feed_ripple_definition, run_feed_ripple},
+                               Case{handle_force_definition, run_handle_force}};
+
+const std::array<CaseDefinition, kCases.size()>& definitions() {
+  static const auto all = [] {
+    std::array<CaseDefinition, kCases.size()> list;
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = kCases[i].define();
+    return list;
+  }();
   return all;
 }
 
@@ -86,7 +100,7 @@ base::Result<CaseResult> run(std::string_view id, const std::map<std::string, do
   if (!values) return values.error();
 
   CaseRun case_run(*values, progress);
-  const base::Status done = kRuns[static_cast<std::size_t>(found - all.begin())](case_run);
+  const base::Status done = kCases[static_cast<std::size_t>(found - all.begin())].run(case_run);
   if (!done) return done.error();
   CaseResult result = case_run.take_result();
   result.id = found->id;

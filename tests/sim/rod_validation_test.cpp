@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/validation/elastica.h"
+#include "sim/validation/turned_wire.h"
+#include "sim/validation/twisted_rod.h"
 #include "sim/validation/validation_case.h"
 
 namespace sim::validation {
@@ -60,7 +62,34 @@ TEST(Elastica, BuckledRodStartsAtEulersLoad) {
   EXPECT_NEAR(buckled_rod(0.01).load_ratio, 1.0050, 5e-5);
 }
 
-TEST(Validation, ListsTheSixCases) {
+TEST(Elastica, ObliqueLoadTurnsTheRodOver) {
+  // just beyond Euler's load from straight ahead it bends a little; four times that folds it:
+  // elliptic integrals for a force straight back, P / P_Euler = (2 K(k) / pi)^2
+  const double euler = std::pow(std::acos(-1.0) / 2.0, 2);
+  const double k = std::sin(std::acos(-1.0) / 4.0);  // tip at 90 degrees
+  const double load = euler * std::pow(2.0 * std::comp_ellint_1(k) / std::acos(-1.0), 2);
+  const Elastica exact = loaded_cantilever(1.0, 1.0, load, std::acos(-1.0) * (1.0 - 1e-9));
+  EXPECT_NEAR(exact.angle, std::acos(-1.0) / 2.0, 1e-5);
+  EXPECT_NEAR(exact.x, 2.0 * std::comp_ellint_2(k) / std::comp_ellint_1(k) - 1.0, 1e-5);
+}
+
+TEST(TwistedRod, YieldsLikeABeamAndWrithesAtGreenhillsTorque) {
+  EXPECT_NEAR(std::abs(twisted_rod_deflection(1e-3)), 1.0, 1e-6);
+  EXPECT_NEAR(std::tan(kCriticalTorque / 2.0), kCriticalTorque / 2.0, 1e-9);
+  EXPECT_GT(std::abs(twisted_rod_deflection(kCriticalTorque * (1.0 - 1e-6))), 1e5);
+}
+
+TEST(TurnedWire, FollowsWhereItIsStiffAndWhipsWhereItIsNot) {
+  EXPECT_NEAR(base_angle(1.3, 1e-6), 1e-6 * std::cosh(std::sqrt(1.3)), 1e-12);
+  EXPECT_FALSE(whip_angle(2.4).has_value());
+  // a quarter of a pendulum's period: the tip stands still at pi / 2, the base moves with
+  // psi' = sqrt(2 a cos(tip))
+  const double quarter = std::comp_ellint_1(std::sin(std::acos(-1.0) / 4.0));
+  EXPECT_NEAR(base_angle(quarter * quarter, std::acos(-1.0) / 2.0), std::acos(-1.0), 1e-6);
+  EXPECT_GT(*whip_angle(4.0), std::acos(-1.0));
+}
+
+TEST(Validation, ListsTheCases) {
   std::string ids;
   for (const CaseDefinition& definition : cases()) {
     ids += definition.id + " ";
@@ -70,7 +99,9 @@ TEST(Validation, ListsTheSixCases) {
       EXPECT_LE(parameter.default_value, parameter.maximum) << parameter.id;
     }
   }
-  EXPECT_EQ(ids, "cantilever buckling capstan pre-curved-tip stiction feed-ripple ");
+  EXPECT_EQ(ids,
+            "cantilever elastica buckling twist capstan pre-curved-tip whip stiction feed-ripple "
+            "handle-force ");
 }
 
 TEST(Validation, Cantilever) {
@@ -84,6 +115,29 @@ TEST(Validation, Buckling) {
   expect_pass("buckling", {});
   expect_pass("buckling", {{"elements", 10}});
   expect_pass("buckling", {{"length", 700.0}, {"ei", 40.0}, {"shortening", 15.0}});
+}
+
+TEST(Validation, Elastica) {
+  expect_pass("elastica", {});
+  expect_pass("elastica", {{"direction", 160.0}, {"load", 1.2}});
+  expect_pass("elastica", {{"direction", 40.0}, {"length", 300.0}, {"ei", 20.0}, {"load", 1e-3}});
+}
+
+TEST(Validation, Twist) {
+  expect_pass("twist", {});
+  expect_pass("twist", {{"share", 30.0}, {"gj", 2000.0}, {"elements", 30}});
+  expect_pass("twist", {{"length", 400.0}, {"ei", 30.0}, {"gj", 15.0}, {"share", 95.0}});
+}
+
+TEST(Validation, Whip) {
+  expect_pass("whip", {});
+  expect_pass("whip", {{"rest_radius", 150.0}});  // follows all the way
+  expect_pass("whip", {{"ei", 300.0}, {"gj", 250.0}, {"radius", 50.0}, {"elements", 40}});
+}
+
+TEST(Validation, HandleForce) {
+  expect_pass("handle-force", {});
+  expect_pass("handle-force", {{"element_length", 2.0}, {"mu", 0.1}});
 }
 
 TEST(Validation, Capstan) {
