@@ -6,6 +6,7 @@
 #include "database/connection.h"
 #include "database/person_rows.h"
 #include "database/text_limits.h"
+#include "database/training_by_rows.h"
 #include "database/utc.h"
 
 namespace database {
@@ -130,6 +131,11 @@ int next_publication(soci::session& sql, const std::string& curriculum_id) {
   return publication;
 }
 
+// A second curriculum must not take over by being the newest.
+void keep_default(soci::session& sql, const CurriculumVersion& version, const std::string& actor) {
+  if (version.status == "published") fix_default_curriculum(sql, actor);
+}
+
 std::string insert_version(soci::session& sql, const CurriculumVersion& version,
                            const std::string& published_utc) {
   std::string row_id = new_id();
@@ -181,6 +187,7 @@ base::Result<CurriculumVersion> publish_curriculum(Store& store, const Curriculu
     const std::vector<CurriculumVersion> same = load_same(sql, version);
     std::string before_hash, row_id;
     if (same.empty()) {
+      keep_default(sql, version, actor);
       row_id = insert_version(sql, version, *utc);
     } else {
       const CurriculumVersion& stored = same.front();
@@ -193,6 +200,7 @@ base::Result<CurriculumVersion> publish_curriculum(Store& store, const Curriculu
       if (stored.status != "draft" || version.status != "published") return stored;
       row_id = stored.row_id;
       before_hash = hash_of_version(stored);
+      keep_default(sql, version, actor);
       publish_draft(sql, stored, *utc);
     }
     const CurriculumVersion result = load_version(sql, row_id).front();
@@ -218,19 +226,30 @@ base::Result<CurriculumVersion> current_curriculum(Store& store, const std::stri
   });
 }
 
-base::Result<ExerciseVersion> current_exercise(Store& store, const std::string& exercise_id) {
-  return reading(store, [&](soci::session& sql) -> base::Result<ExerciseVersion> {
-    // of each curriculum only its newest published version counts; among those, the latest
-    std::string row_id;
-    sql << "SELECT e.id FROM exercise_version e "
-           "JOIN curriculum_version c ON c.id = e.curriculum_version_id "
-           "WHERE e.exercise_id = :exercise AND c.status = 'published' AND c.publication = "
-           "(SELECT max(n.publication) FROM curriculum_version n "
-           "WHERE n.curriculum_id = c.curriculum_id AND n.status = 'published') "
-           "ORDER BY c.published_utc DESC, c.id DESC LIMIT 1",
-        soci::use(exercise_id), soci::into(row_id);
+base::Result<std::string> current_curriculum_sha256(Store& store,
+                                                    const std::string& curriculum_id) {
+  return reading(store, [&](soci::session& sql) -> base::Result<std::string> {
+    std::string sha256;
+    sql << "SELECT sha256 FROM curriculum_version WHERE " + std::string(kNewestPublished),
+        soci::use(curriculum_id), soci::into(sha256);
     if (!sql.got_data()) {
-      return Error{ErrorCode::not_found, "No published curriculum has this exercise."};
+      return Error{ErrorCode::not_found, "No version of this curriculum is published."};
+    }
+    return sha256;
+  });
+}
+
+base::Result<ExerciseVersion> current_exercise(Store& store, const std::string& curriculum_id,
+                                               const std::string& exercise_id) {
+  return reading(store, [&](soci::session& sql) -> base::Result<ExerciseVersion> {
+    std::string row_id;
+    sql << "SELECT e.id FROM exercise_version e WHERE e.exercise_id = :exercise "
+           "AND e.curriculum_version_id = (SELECT id FROM curriculum_version WHERE " +
+               std::string(kNewestPublished) + ")",
+        soci::use(exercise_id), soci::use(curriculum_id), soci::into(row_id);
+    if (!sql.got_data()) {
+      return Error{ErrorCode::not_found,
+                   "The published version of this curriculum has no such exercise."};
     }
     return load_exercises(sql, "id = :value", row_id).front();
   });

@@ -44,8 +44,11 @@ base::Result<std::vector<CurriculumVersion>> curriculum_versions(
     Store& store);  // in the order stored
 // Newest published version of a curriculum; not_found.
 base::Result<CurriculumVersion> current_curriculum(Store& store, const std::string& curriculum_id);
-// The row id of an exercise of the newest published version; not_found.
-base::Result<ExerciseVersion> current_exercise(Store& store, const std::string& exercise_id);
+// The hash of that version's text alone, for whoever keeps the text; not_found.
+base::Result<std::string> current_curriculum_sha256(Store& store, const std::string& curriculum_id);
+// An exercise of the newest published version of a curriculum; not_found.
+base::Result<ExerciseVersion> current_exercise(Store& store, const std::string& curriculum_id,
+                                               const std::string& exercise_id);
 
 // By the id of its row, whatever became of its curriculum; not_found.
 base::Result<ExerciseVersion> exercise_version(Store& store, const std::string& row_id);

@@ -36,7 +36,8 @@ struct Row {
 };
 
 constexpr const char* kColumns =
-    "SELECT t.id, t.person_id, coalesce(t.enrolment_id, ''), t.exercise_id, "
+    "SELECT t.id, t.person_id, coalesce(t.enrolment_id, ''), coalesce(n.curriculum_id, ''), "
+    "t.exercise_id, "
     "coalesce(t.exercise_version_id, ''), t.ordinal, t.source, t.dataset, t.apparatus, t.device, "
     "t.seed, t.build, t.isa, t.anatomy_sha256, t.instruments_sha256, t.input_sha256, "
     "t.state_hash, t.started_utc, coalesce(t.ended_utc, ''), coalesce(t.end_reason, ''), "
@@ -45,13 +46,14 @@ constexpr const char* kColumns =
     "coalesce(i.display_name, ''), "
     "coalesce((SELECT e.level FROM experience e WHERE e.person_id = t.person_id "
     "AND e.declared_utc <= t.started_utc ORDER BY e.declared_utc DESC, e.ordinal DESC LIMIT 1), "
-    "'') FROM trial t LEFT JOIN identity i ON i.person_id = t.person_id WHERE ";
+    "'') FROM trial t LEFT JOIN identity i ON i.person_id = t.person_id "
+    "LEFT JOIN enrolment n ON n.id = t.enrolment_id WHERE ";
 
 // In the order of kColumns.
 void receive(soci::statement& statement, Row& row) {
   NewTrial& head = row.trial.head;
-  for (std::string* text : {&head.id, &head.person_id, &head.enrolment_id, &head.exercise_id,
-                            &head.exercise_version_id}) {
+  for (std::string* text : {&head.id, &head.person_id, &head.enrolment_id, &row.trial.curriculum_id,
+                            &head.exercise_id, &head.exercise_version_id}) {
     statement.exchange(soci::into(*text));
   }
   statement.exchange(soci::into(row.trial.ordinal));
@@ -155,6 +157,13 @@ base::Result<std::vector<StoredTrial>> trials(Store& store, const TrialFilter& f
   add("person_id", "person", filter.person_id);
   add("exercise_id", "exercise", filter.exercise_id);
   add("dataset", "dataset", filter.dataset);
+  if (!filter.curriculum_id.empty()) {
+    // a selection of its own, as the list of metrics knows the trial alone
+    selection.conditions.emplace_back(
+        "(t.enrolment_id IS NULL OR t.enrolment_id IN "
+        "(SELECT id FROM enrolment WHERE curriculum_id = :curriculum))");
+    selection.parameters.emplace_back("curriculum", filter.curriculum_id);
+  }
   if (filter.source) add("source", "source", assessment::word(*filter.source));
   if (filter.finished_only) selection.conditions.push_back("t.ended_utc IS NOT NULL");
   return reading(store, [&](soci::session& sql) { return load_trials(sql, selection); });

@@ -42,6 +42,7 @@ struct Chunk {
 
 struct StoredTrial {
   NewTrial head;
+  std::string curriculum_id;  // of the enrolment; empty without one
   int ordinal = 0;        // 1-based among the person's trials of this exercise id
   std::string ended_utc;  // empty while running
   std::optional<assessment::EndReason> end_reason;
@@ -93,6 +94,9 @@ base::Result<assessment::Verdict> trial_verdict(Store& store,
 
 struct TrialFilter {
   std::string person_id, exercise_id, dataset;  // empty: any
+  // Made under this curriculum, or under none (published data, which belongs to no curriculum).
+  // Two curricula may have an exercise of one id; a trial of one does not count in the other.
+  std::string curriculum_id;
   std::optional<assessment::Source> source;
   bool finished_only = true;
   bool with_metrics = true;  // false: leave them empty, and be quicker

@@ -3,36 +3,36 @@
 #include <utility>
 
 #include "database/curricula.h"
+#include "database/training_by.h"
 
 namespace app {
-namespace {
 
-// The one published last.
-base::Result<database::CurriculumVersion> newest(database::Store& store) {
-  auto versions = database::curriculum_versions(store);
-  if (!versions) return versions.error();
-  const database::CurriculumVersion* best = nullptr;
-  for (const database::CurriculumVersion& version : *versions) {
-    if (version.status != "published") continue;
-    if (best == nullptr || version.published_utc > best->published_utc) best = &version;
-  }
-  if (best == nullptr) {
-    return base::Error{base::ErrorCode::not_found,
-                       "No curriculum is published yet; ask your administrator to publish one."};
-  }
-  return *best;
+PublishedCurricula::Found PublishedCurricula::of_person(database::Store& store,
+                                                        const curricula::Catalogue& catalogue,
+                                                        const std::string& person_id) {
+  const auto id = database::curriculum_of(store, person_id);
+  if (!id) return id.error();
+  return by_id(store, catalogue, *id);
 }
 
-}  // namespace
+PublishedCurricula::Found PublishedCurricula::standard(database::Store& store,
+                                                       const curricula::Catalogue& catalogue) {
+  const auto id = database::default_curriculum(store);
+  if (!id) return id.error();
+  return by_id(store, catalogue, *id);
+}
 
-base::Result<std::shared_ptr<const curricula::Curriculum>> PublishedCurricula::current(
-    database::Store& store, const curricula::Catalogue& catalogue) {
-  const auto version = newest(store);
-  if (!version) return version.error();
+PublishedCurricula::Found PublishedCurricula::by_id(database::Store& store,
+                                                    const curricula::Catalogue& catalogue,
+                                                    const std::string& curriculum_id) {
+  const auto sha256 = database::current_curriculum_sha256(store, curriculum_id);
+  if (!sha256) return sha256.error();
   const std::lock_guard lock(mutex_);
-  const auto found = by_hash_.find(version->sha256);
+  const auto found = by_hash_.find(*sha256);
   if (found != by_hash_.end()) return found->second;
 
+  const auto version = database::current_curriculum(store, curriculum_id);
+  if (!version) return version.error();
   curricula::CheckResult checked = curricula::check(version->yaml, catalogue);
   if (!checked.ok()) {
     const std::string why =

@@ -1,5 +1,5 @@
-// The curriculum people train by: the newest published one in the database, read from its stored
-// text and kept until another is published. May be used from several threads.
+// The curricula people train by, each in its newest published version, read from its stored text
+// and kept. May be used from several threads.
 #pragma once
 
 #include <map>
@@ -16,9 +16,16 @@ namespace app {
 
 class PublishedCurricula {
  public:
-  // not_found when none is published yet; corrupt_data when its text does not pass the checker.
-  base::Result<std::shared_ptr<const curricula::Curriculum>> current(
-      database::Store& store, const curricula::Catalogue& catalogue);
+  using Found = base::Result<std::shared_ptr<const curricula::Curriculum>>;  // shared: callers
+
+  // Each fails with not_found when none is published, corrupt_data when its text does not pass
+  // the checker any more.
+  Found of_person(database::Store& store, const curricula::Catalogue& catalogue,
+                  const std::string& person_id);
+  // What people train by who are assigned nothing else.
+  Found standard(database::Store& store, const curricula::Catalogue& catalogue);
+  Found by_id(database::Store& store, const curricula::Catalogue& catalogue,
+              const std::string& curriculum_id);
 
  private:
   std::mutex mutex_;

@@ -52,7 +52,7 @@ struct Server::Parts {
     [[maybe_unused]] const std::string& build = build_id();
     auto store = database::Store::open(site.options.database_url);
     if (!store) return;
-    const auto curriculum = site.curricula.current(**store, site.scenes.library().catalogue());
+    const auto curriculum = site.curricula.standard(**store, site.scenes.library().catalogue());
     if (!curriculum) return;
     for (const curricula::Exercise& exercise : (*curriculum)->exercises) {
       if (stopping) return;

@@ -37,7 +37,7 @@ std::vector<const database::StoredTrial*> TrainingRecord::trials_of(
 
 base::Result<TrainingRecord> training_record(database::Store& store, Site& site,
                                              const std::string& person_id) {
-  auto curriculum = site.curricula.current(store, site.scenes.library().catalogue());
+  auto curriculum = site.curricula.of_person(store, site.scenes.library().catalogue(), person_id);
   if (!curriculum) return curriculum.error();
   return training_record(store, *std::move(curriculum), person_id);
 }
@@ -49,6 +49,7 @@ base::Result<TrainingRecord> training_record(
   record.curriculum = std::move(curriculum);
   database::TrialFilter filter;
   filter.person_id = person_id;
+  filter.curriculum_id = record.curriculum->id;
   auto trials = database::trials(store, filter);
   if (!trials) return trials.error();
   record.trials = *std::move(trials);

@@ -36,7 +36,7 @@ bool is_interrupted(const WallTime& wall, double simulated) {
 base::Result<BegunTrial> begin(database::Store& store, const TrialHead& head, const Scene& scene) {
   const auto enrolment = database::enrol(store, head.person_id, head.curriculum_id);
   if (!enrolment) return enrolment.error();
-  const auto version = database::current_exercise(store, head.exercise_id);
+  const auto version = database::current_exercise(store, head.curriculum_id, head.exercise_id);
   if (!version) return version.error();
 
   database::NewTrial trial;

@@ -182,7 +182,8 @@ std::string Workplace::add_trial(const std::string& name) {
   trial.person_id = id_of(name);
   trial.enrolment_id = checked(database::enrol(*store_, trial.person_id, "vascular-basics"));
   trial.exercise_id = "linear";
-  trial.exercise_version_id = checked(database::current_exercise(*store_, "linear")).id;
+  trial.exercise_version_id =
+      checked(database::current_exercise(*store_, "vascular-basics", "linear")).id;
   trial.apparatus = "cathedra";
   trial.device = "keyboard";
   checked(database::begin_trial(*store_, trial));

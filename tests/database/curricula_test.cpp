@@ -81,16 +81,28 @@ TEST_F(Curricula, PublishedTwiceAreStoredOnceAndNeverChange) {
 
 TEST_F(Curricula, TheNewestPublishedVersionCounts) {
   const CurriculumVersion first = publish(basics("1.0.0", {linear, rotational}));
-  EXPECT_EQ(current_exercise(*store_, "rotational")->id, first.exercises[1].id);
+  EXPECT_EQ(current_exercise(*store_, "vascular-basics", "rotational")->id, first.exercises[1].id);
   const CurriculumVersion second = publish(basics("1.1.0", {linear}));
   CurriculumVersion draft = basics("2.0.0", {rotational});
   draft.status = "draft";
   publish(draft);
   EXPECT_EQ(current_curriculum(*store_, "vascular-basics")->version, "1.1.0");
-  EXPECT_EQ(current_exercise(*store_, "linear")->id, second.exercises[0].id);
+  EXPECT_EQ(current_exercise(*store_, "vascular-basics", "linear")->id, second.exercises[0].id);
   // the newest version has dropped it; the text of the old one is kept
-  EXPECT_EQ(current_exercise(*store_, "rotational").error().code, ErrorCode::not_found);
+  EXPECT_EQ(current_exercise(*store_, "vascular-basics", "rotational").error().code,
+            ErrorCode::not_found);
   EXPECT_EQ(exercise_version(*store_, first.exercises[1].id)->yaml, "id: rotational\n");
+}
+
+TEST_F(Curricula, AnExerciseOfOneIdInTwoCurriculaIsOneOfEach) {
+  const CurriculumVersion first = publish(basics("1.0.0", {linear}));
+  CurriculumVersion other = basics("1.0.0", {linear});
+  other.curriculum_id = "our-own";
+  const CurriculumVersion second = publish(other);
+  EXPECT_EQ(current_exercise(*store_, "vascular-basics", "linear")->id, first.exercises[0].id);
+  EXPECT_EQ(current_exercise(*store_, "our-own", "linear")->id, second.exercises[0].id);
+  EXPECT_EQ(*current_curriculum_sha256(*store_, "our-own"), other.sha256);
+  EXPECT_EQ(current_curriculum_sha256(*store_, "none").error().code, ErrorCode::not_found);
 }
 
 TEST_F(Curricula, ADraftIsPublishedLaterWithTheSameText) {
@@ -107,7 +119,8 @@ TEST_F(Curricula, ADraftIsPublishedLaterWithTheSameText) {
 TEST_F(Curricula, UnknownOnesAreNotFound) {
   const std::string anna = add_trainee(*store_, "anna").id;
   EXPECT_EQ(current_curriculum(*store_, "none").error().code, ErrorCode::not_found);
-  EXPECT_EQ(current_exercise(*store_, "none").error().code, ErrorCode::not_found);
+  EXPECT_EQ(current_exercise(*store_, "vascular-basics", "none").error().code,
+            ErrorCode::not_found);
   EXPECT_EQ(exercise_version(*store_, "none").error().code, ErrorCode::not_found);
   EXPECT_EQ(enrol(*store_, anna, "none").error().code, ErrorCode::not_found);
   publish(basics("1.0.0", {linear}));

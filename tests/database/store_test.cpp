@@ -36,14 +36,14 @@ TEST(Store, IsCreatedWhereThereIsNoneAndKeepsWhatItHolds) {
   std::string id;
   {
     auto store = open_store(folder.url());
-    EXPECT_EQ(store->schema_version(), 1);
+    EXPECT_EQ(store->schema_version(), 2);
     id = add_trainee(*store, "anna").id;
   }
   auto store = open_store(folder.url());
-  EXPECT_EQ(store->schema_version(), 1);
+  EXPECT_EQ(store->schema_version(), 2);
   EXPECT_EQ(person_by_id(*store, id)->name, "anna");
   EXPECT_TRUE(store->check_integrity());
-  EXPECT_EQ(RawFile(folder.file("store.db")).value("SELECT count(*) FROM schema_migration"), "1");
+  EXPECT_EQ(RawFile(folder.file("store.db")).value("SELECT count(*) FROM schema_migration"), "2");
 }
 
 TEST(Store, UsesTheWriteAheadLogAndStrictTablesOnly) {

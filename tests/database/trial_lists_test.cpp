@@ -154,7 +154,7 @@ void fill_large(const std::string& path) {
       "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 500) "
       "INSERT INTO person SELECT printf('person-%029d', i), 'live', '2025-01-01T00:00:00.000Z' "
       "FROM n;"
-      "INSERT INTO identity SELECT id, 'name of ' || id, id, NULL, '', 'trainee', 0, '' "
+      "INSERT INTO identity SELECT id, 'name of ' || id, id, NULL, '', 'trainee', 0, '', NULL "
       "FROM person WHERE id LIKE 'person-%';"
       "INSERT INTO person_group VALUES ('group-1', 'course', '2025-01-01T00:00:00.000Z');"
       "INSERT INTO membership SELECT 'm' || id, id, 'group-1', created_utc, NULL FROM person "

@@ -55,7 +55,7 @@ TEST_F(Trials, AreReadAsTheyWereBegun) {
 
   NewTrial trial = new_trial_of(anna_);
   trial.enrolment_id = *enrol(*store_, anna_, "basics");
-  trial.exercise_version_id = current_exercise(*store_, "linear")->id;
+  trial.exercise_version_id = current_exercise(*store_, "basics", "linear")->id;
   trial.source = Source::simulated_operator;
   trial.dataset = "d'ata";
   trial.apparatus = "appa\"ratus";

@@ -23,7 +23,7 @@ struct Asked {
 };
 
 base::Result<std::shared_ptr<const curricula::Curriculum>> curriculum_of(Call& call) {
-  return call.site.curricula.current(call.store, call.site.scenes.library().catalogue());
+  return call.site.curricula.standard(call.store, call.site.scenes.library().catalogue());
 }
 
 base::Result<Asked> asked(Call& call) {

@@ -23,12 +23,9 @@ base::Result<std::vector<database::Person>> people_seen_by(database::Store& stor
 base::Result<Response> get_people(Call& call) {
   const auto people = people_seen_by(call.store, call.me().person);
   if (!people) return people.error();
-  const auto curriculum =
-      call.site.curricula.current(call.store, call.site.scenes.library().catalogue());
-  if (!curriculum) return curriculum.error();
   json rows = json::array();
   for (const database::Person& person : *people) {
-    const auto record = training_record(call.store, *curriculum, person.id);
+    const auto record = training_record(call.store, call.site, person.id);
     if (!record) return record.error();
     rows.push_back(person_row_json(person, *record));
   }
