@@ -40,7 +40,7 @@ function Page({people, onChanged}: {people: PersonRow[]; onChanged: () => void})
         )}
       </div>
       <List people={people} administers={administers} />
-      {administers && <InviteDialog opened={inviting} onClose={(invited) => {
+      {inviting && <InviteDialog onClose={(invited) => {
         setInviting(false);
         if (invited) onChanged();
       }} />}

@@ -46,13 +46,12 @@ function headline(rows: readonly HealthRow[], running: number): string {
 }
 
 function Sections({system}: {system: SystemState}) {
-  const total = system.storage.reduce((sum, row) => sum + row.bytes, 0);
   return (
     <>
       <p className={`num ${styles.headline}`}>{headline(system.health, system.running_trials)}</p>
       <div className={styles.columns}>
         <div className="stack">
-          <Panel title="Health" aside={<>server started {formatWhen(system.started_utc)}</>}>
+          <Panel title="Health" aside={<>server started: {formatWhen(system.started_utc)}</>}>
             <ul className={styles.health}>
               {system.health.map((row) => (
                 <li key={row.what}>
@@ -66,7 +65,7 @@ function Sections({system}: {system: SystemState}) {
           <Backups first={system.backups} />
         </div>
         <div className="stack">
-          <Panel title="Storage" aside={<>{formatBytes(total)} in all</>}>
+          <Panel title="Storage">
             <Pairs rows={system.storage.map((row) => [row.what, formatBytes(row.bytes)])} />
           </Panel>
           <Panel title="What is stored">

@@ -3,7 +3,7 @@ import {useRef, useState} from 'react';
 import type {Invitation} from '../wire/types';
 import {formatWhen} from './format';
 import {Icon} from './Icon';
-import styles from './modal.module.css';
+import styles from './one_time_link.module.css';
 
 /** The whole address that the person opens. */
 export function addressOf(invitation: Invitation): string {
@@ -31,7 +31,7 @@ export function OneTimeLink({invitation}: {invitation: Invitation}) {
       </p>
       <div className={styles.link}>
         <TextInput ref={field} label="One-time link" readOnly value={address} onFocus={(event) => event.currentTarget.select()} />
-        <Button onClick={copy} data-autofocus>Copy</Button>
+        <Button onClick={copy} autoFocus>Copy</Button>
       </div>
       <p className="small" role="status">
         {copied === 'yes' && <span className="state tone-ok"><Icon name="tick" /><span>Copied</span></span>}

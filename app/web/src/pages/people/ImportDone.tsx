@@ -45,7 +45,7 @@ export function ImportDone({result, onAgain}: {result: ImportResult; onAgain: ()
       </section>
       {invitations.length > 0 && (
         <Panel title="Invitations" aside={<>until {formatWhen(invitations[0]?.expires_utc ?? null)}</>}>
-          <div className="table-scroll" role="region" aria-label="Invitations" tabIndex={0}>
+          <div className="table-scroll" role="region" aria-label="Table of invitations" tabIndex={0}>
             <table className="table">
               <thead><tr><th scope="col">Name</th><th scope="col">Sign-in name</th><th scope="col">One-time link</th></tr></thead>
               <tbody>

@@ -118,7 +118,7 @@ function Choose({busy, problem, onChosen}: ChooseProps) {
           event.preventDefault();
           onChosen({name: 'pasted table', csv: pasted});
         }}>
-          <Textarea label="Or paste the table" minRows={6} rows={6} value={pasted} spellCheck={false} classNames={{input: styles.text}}
+          <Textarea label="Or paste the table" rows={6} value={pasted} spellCheck={false} classNames={{input: styles.text}}
             placeholder={'name,display_name,role,groups\nresident14,Resident 14,trainee,2026'}
             onChange={(event) => setPasted(event.currentTarget.value)} />
           <Button type="submit" variant="default" disabled={pasted.trim() === ''} loading={busy}>Look at what would happen</Button>

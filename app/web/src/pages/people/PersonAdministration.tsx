@@ -85,7 +85,7 @@ function Account({detail, busy, problem, change, onLinkMade}: AccountProps) {
   const own = session.person_id === person.person_id;
   const [asking, setAsking] = useState<'disable' | 'link' | null>(null);
   return (
-    <Panel title="Account" aside={<>since {formatWhen(detail.created_utc)}</>}>
+    <Panel title="Account" aside={<>made: {formatWhen(detail.created_utc)}</>}>
       <div className={styles.account}>
         <div className={styles.state}>
           <State state={accountState(detail)} />
@@ -113,10 +113,10 @@ function Account({detail, busy, problem, change, onLinkMade}: AccountProps) {
           <li>You can enable the account again at any time.</li>
         </ul>
       </Confirm>}
-      <LinkDialog opened={asking === 'link'} detail={detail} onClose={(made) => {
+      {asking === 'link' && <LinkDialog detail={detail} onClose={(made) => {
         setAsking(null);
         if (made) onLinkMade();
-      }} />
+      }} />}
     </Panel>
   );
 }
@@ -150,14 +150,15 @@ function Details({detail, own, busy, change}: DetailsProps) {
         onChange={({currentTarget: {value}}) => edit({display_name: value})} />
       <TextInput label="E-mail" type="email" value={now.email} onChange={({currentTarget: {value}}) => edit({email: value})} />
       <NativeSelect label="Role" disabled={own} value={now.role} data={roles.map((role) => ({value: role, label: roleWord(role)}))}
-        description={own ? 'Another administrator can change yours' : undefined}
+        inputWrapperOrder={['label', 'input', 'description']} description={own ? 'Another administrator can change yours' : undefined}
         onChange={({currentTarget: {value}}) => edit({role: value as PersonRow['role']})} />
       <NativeSelect label="Curriculum" value={now.curriculum_id ?? ''}
-        description={detail.curriculum_title === '' ? undefined : `Trains by ${detail.curriculum_title}`}
+        inputWrapperOrder={['label', 'input', 'description']}
+          description={detail.curriculum_title === '' ? undefined : `Trains by ${detail.curriculum_title}`}
         data={known || now.curriculum_id === null ? curricula : [...curricula, {value: now.curriculum_id, label: detail.curriculum_title}]}
         onChange={({currentTarget: {value}}) => edit({curriculum_id: value === '' ? null : value})} />
       <TagsInput className={styles.wide} label="Groups" description="An instructor sees the people of the own groups" data={groups}
-        value={now.groups} onChange={(value) => edit({groups: value})} splitChars={[',', ';', '|']} acceptValueOnBlur />
+        value={now.groups} onChange={(value) => edit({groups: value})} splitChars={[',', ';', '|']} acceptValueOnBlur inputWrapperOrder={['label', 'input', 'description']} />
       <div className={styles.save}>
         <Button type="submit" loading={busy} disabled={changed.length === 0}>Save</Button>
         <Button variant="default" disabled={changed.length === 0} onClick={() => setNow(before)}>Undo</Button>
@@ -202,7 +203,7 @@ function History({rows}: {rows: readonly ExperienceRow[]}) {
         <tbody>
           {rows.map((row, index) => (
             <tr key={`${row.declared_utc} ${index}`}>
-              <th scope="row">{levelChoices.find(({value}) => value === row.level)?.label}{index === 0 && <span className="tag">now</span>}</th>
+              <th scope="row">{levelChoices.find(({value}) => value === row.level)?.label}{index === 0 && <> <span className="tag">now</span></>}</th>
               <td className="r">{row.cases}</td>
               <td className="muted">{formatWhen(row.declared_utc)}</td>
               <td className="muted">{row.declared_by}</td>
