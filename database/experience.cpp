@@ -17,6 +17,47 @@ void insert_experience(soci::session& sql, const std::string& person_id, Level l
           person_id, ordinal, std::string(word(level)), cases, declared_utc, declared_by);
 }
 
+int latest_cases(soci::session& sql, const std::string& person_id) {
+  int cases = 0;
+  sql << "SELECT cases FROM experience WHERE person_id = :id "
+         "ORDER BY declared_utc DESC, ordinal DESC LIMIT 1",
+      soci::use(person_id), soci::into(cases);
+  return sql.got_data() ? cases : 0;
+}
+
+base::Result<std::vector<Experience>> experience_of(Store& store, const std::string& person_id) {
+  return reading(store, [&](soci::session& sql) -> base::Result<std::vector<Experience>> {
+    std::vector<Experience> all;
+    Experience one;
+    std::string level;
+    soci::statement select =
+        (sql.prepare << "SELECT level, cases, declared_utc, declared_by FROM experience "
+                        "WHERE person_id = :id ORDER BY declared_utc DESC, ordinal DESC",
+         soci::use(person_id), soci::into(level), soci::into(one.cases),
+         soci::into(one.declared_utc), soci::into(one.declared_by));
+    select.execute();
+    while (select.fetch()) {
+      parse(level, one.level);
+      all.push_back(one);
+    }
+    return all;
+  });
+}
+
+base::Result<std::map<std::string, int>> cases_by_person(Store& store) {
+  return reading(store, [](soci::session& sql) -> base::Result<std::map<std::string, int>> {
+    std::map<std::string, int> all;
+    std::string person_id;
+    int cases = 0;
+    soci::statement select = (sql.prepare << "SELECT person_id, cases FROM experience "
+                                             "ORDER BY person_id, declared_utc, ordinal",
+                              soci::into(person_id), soci::into(cases));
+    select.execute();
+    while (select.fetch()) all[person_id] = cases;  // the latest comes last and stays
+    return all;
+  });
+}
+
 base::Status declare_experience(Store& store, const std::string& person_id, Level level, int cases,
                                 const std::string& actor, const std::string& declared_utc) {
   if (base::Status status = check_name("actor", actor); !status) return status;

@@ -8,6 +8,7 @@
 #include "database/connection.h"
 #include "database/person_rows.h"
 #include "database/text_limits.h"
+#include "database/training_by_rows.h"
 #include "database/utc.h"
 
 namespace database {
@@ -46,7 +47,24 @@ base::Status check_new_person(const NewPerson& person) {
   for (const std::string& group : person.groups) {
     if (base::Status status = check_name("name of the group", group); !status) return status;
   }
+  if (base::Status status = check_email(person.email); !status) return status;
+  if (person.cases < 0) {
+    return Error{ErrorCode::invalid_input, "The number of cases is 0 or more."};
+  }
+  if (person.curriculum_id) {
+    if (base::Status status = check_name("id of the curriculum", *person.curriculum_id); !status) {
+      return status;
+    }
+  }
   return check_text("password hash", person.password_phc);
+}
+
+// When the level given with a new person was declared.
+base::Result<std::string> declaring_utc(const NewPerson& person) {
+  if (person.kind == PersonKind::live || !person.level_declared_utc.empty()) {
+    return stored_utc(person.level_declared_utc);
+  }
+  return std::string(kAlwaysUtc);
 }
 
 void insert_person(soci::session& sql, const NewPerson& person, const std::string& id) {
@@ -55,9 +73,10 @@ void insert_person(soci::session& sql, const NewPerson& person, const std::strin
           std::string(word(person.kind)), utc_now());
   execute(
       sql,
-      "INSERT INTO identity (person_id, name, display_name, password_phc, role, disabled, salt) "
-      "VALUES (:id, :name, :display, :phc, :role, 0, :salt)",
-      id, person.name, display_name, person.password_phc, std::string(word(person.role)), new_id());
+      "INSERT INTO identity (person_id, name, display_name, email, password_phc, role, disabled, "
+      "salt) VALUES (:id, :name, :display, nullif(:email, ''), :phc, :role, 0, :salt)",
+      id, person.name, display_name, person.email, person.password_phc,
+      std::string(word(person.role)), new_id());
 }
 
 std::unordered_map<std::string, std::size_t> index_by_id(const std::vector<Person>& people) {
@@ -138,11 +157,13 @@ std::vector<Person> load_people(soci::session& sql, const std::string& condition
   int disabled = 0;
   soci::statement select =
       (sql.prepare << "SELECT p.id, i.name, i.display_name, i.role, p.kind, i.disabled, "
-                      "i.password_phc, p.created_utc" +
+                      "i.password_phc, p.created_utc, coalesce(i.email, ''), "
+                      "coalesce(i.last_sign_in_utc, '')" +
                           (kFromPeople + ("WHERE " + condition)) + " ORDER BY lower(i.name), p.id",
        soci::use(value), soci::into(person.id), soci::into(person.name),
        soci::into(person.display_name), soci::into(role), soci::into(kind), soci::into(disabled),
-       soci::into(person.password_phc), soci::into(person.created_utc));
+       soci::into(person.password_phc), soci::into(person.created_utc), soci::into(person.email),
+       soci::into(person.last_sign_in_utc));
   select.execute();
   while (select.fetch()) {
     parse(role, person.role);
@@ -187,6 +208,8 @@ std::string hash_of_person(soci::session& sql, const Person& person) {
                                      person.password_phc,
                                      person.level ? word(*person.level) : ""};
   fields.insert(fields.end(), person.groups.begin(), person.groups.end());
+  // only when there is one: the hashes of people without stay what they were before e-mail came
+  if (!person.email.empty()) fields.push_back("e-mail " + person.email);
   return hash_of(fields);
 }
 
@@ -197,25 +220,37 @@ void audit_person(soci::session& sql, const std::string& id, const std::string& 
                   after ? hash_of_person(sql, *after) : std::string()});
 }
 
-base::Result<Person> add_person(Store& store, const NewPerson& person, const std::string& actor) {
+base::Result<std::string> insert_new_person(soci::session& sql, const NewPerson& person,
+                                            const std::string& actor) {
   if (base::Status status = check_new_person(person); !status) return status.error();
-  if (base::Status status = check_name("actor", actor); !status) return status.error();
-  std::string declared_utc = kAlwaysUtc;
-  if (person.kind == PersonKind::live || !person.level_declared_utc.empty()) {
-    base::Result<std::string> utc = stored_utc(person.level_declared_utc);
-    if (!utc) return utc.error();
-    declared_utc = *utc;
+  const base::Result<std::string> declared_utc = declaring_utc(person);
+  if (!declared_utc) return declared_utc.error();
+  int taken = 0;
+  sql << "SELECT count(*) FROM identity WHERE lower(name) = lower(:name)", soci::use(person.name),
+      soci::into(taken);
+  if (taken > 0) {
+    return Error{ErrorCode::conflict, "The name " + person.name + " is taken; choose another."};
   }
+  const std::string id = new_id();
+  insert_person(sql, person, id);
+  for (const std::string& group : person.groups) insert_membership(sql, id, group);
+  if (person.level) {
+    insert_experience(sql, id, *person.level, person.cases, *declared_utc, actor);
+  }
+  audit_person(sql, id, actor, "person.add", "");
+  if (person.curriculum_id) {
+    const base::Status assigned = change_assignment(sql, id, person.curriculum_id, actor);
+    if (!assigned) return assigned.error();
+  }
+  return id;
+}
+
+base::Result<Person> add_person(Store& store, const NewPerson& person, const std::string& actor) {
+  if (base::Status status = check_name("actor", actor); !status) return status.error();
   return writing(store, [&](soci::session& sql) -> base::Result<Person> {
-    if (!load_people(sql, "lower(i.name) = lower(:value)", person.name).empty()) {
-      return Error{ErrorCode::conflict, "The name " + person.name + " is taken; choose another."};
-    }
-    const std::string id = new_id();
-    insert_person(sql, person, id);
-    for (const std::string& group : person.groups) insert_membership(sql, id, group);
-    if (person.level) insert_experience(sql, id, *person.level, 0, declared_utc, actor);
-    audit_person(sql, id, actor, "person.add", "");
-    return load_person(sql, id);
+    const base::Result<std::string> id = insert_new_person(sql, person, actor);
+    if (!id) return id.error();
+    return load_person(sql, *id);
   });
 }
 
@@ -260,7 +295,8 @@ base::Status set_disabled(Store& store, const std::string& person_id, bool disab
       execute(sql, "UPDATE identity SET disabled = :disabled WHERE person_id = :id",
               disabled ? 1 : 0, person_id);
       if (disabled) {
-        execute(sql, "DELETE FROM web_session WHERE person_id = :id", person_id);
+        end_sessions(sql, person_id);
+        withdraw_invitations(sql, person_id);
       }
     });
   });

@@ -25,10 +25,24 @@ template <typename Change>
 base::Status change_person(soci::session& sql, const std::string& id, const std::string& actor,
                            const char* action, Change change);
 
+// Checks a new person's values and whether the name is free, adds the person and audits it; gives
+// the id. `actor` has been checked.
+base::Result<std::string> insert_new_person(soci::session& sql, const NewPerson& person,
+                                            const std::string& actor);
+
 // In groups.cpp and experience.cpp; the caller has checked the values.
 void insert_membership(soci::session& sql, const std::string& person_id, const std::string& group);
+void end_membership(soci::session& sql, const std::string& person_id, const std::string& group);
 void insert_experience(soci::session& sql, const std::string& person_id, Level level, int cases,
                        const std::string& declared_utc, const std::string& declared_by);
+
+// The number of cases that was declared last; 0 when none was.
+int latest_cases(soci::session& sql, const std::string& person_id);
+
+// Ends what would let the person in. In sign_in.cpp and invitations.cpp.
+void end_sessions(soci::session& sql, const std::string& person_id,
+                  const std::string& kept_hash = "");
+void withdraw_invitations(soci::session& sql, const std::string& person_id);
 
 // Writes the audit row of a change to a person that has already been made.
 void audit_person(soci::session& sql, const std::string& id, const std::string& actor,

@@ -1,6 +1,7 @@
 #include "database/audit_chain.h"
 #include "database/connection.h"
 #include "database/people.h"
+#include "database/person_rows.h"
 #include "database/text_limits.h"
 #include "database/utc.h"
 
@@ -90,10 +91,35 @@ base::Status end_web_session(Store& store, const std::string& token_hash) {
   });
 }
 
+void end_sessions(soci::session& sql, const std::string& person_id, const std::string& kept_hash) {
+  execute(sql, "DELETE FROM web_session WHERE person_id = :id AND token_hash <> :kept", person_id,
+          kept_hash);
+}
+
 base::Status end_web_sessions_of(Store& store, const std::string& person_id) {
   return writing(store, [&](soci::session& sql) -> base::Status {
-    execute(sql, "DELETE FROM web_session WHERE person_id = :id", person_id);
+    end_sessions(sql, person_id);
     return base::Done{};
+  });
+}
+
+base::Status note_sign_in(Store& store, const std::string& person_id) {
+  return writing(store, [&](soci::session& sql) -> base::Status {
+    execute(sql, "UPDATE identity SET last_sign_in_utc = :now WHERE person_id = :id", utc_now(),
+            person_id);
+    return base::Done{};
+  });
+}
+
+base::Status change_own_password(Store& store, const std::string& person_id, const std::string& phc,
+                                 const std::string& kept_session_hash) {
+  if (base::Status status = check_text("password hash", phc); !status) return status;
+  return writing(store, [&](soci::session& sql) {
+    return change_person(sql, person_id, person_id, "person.password", [&] {
+      execute(sql, "UPDATE identity SET password_phc = :phc WHERE person_id = :id", phc, person_id);
+      end_sessions(sql, person_id, kept_session_hash);
+      withdraw_invitations(sql, person_id);
+    });
   });
 }
 

@@ -79,4 +79,19 @@ base::Status check_name(const char* what, const std::string& text) {
   return base::Done{};
 }
 
+base::Status check_email(const std::string& text) {
+  constexpr std::size_t kLongest = 254;  // bytes, RFC 5321, 4.5.3.1.3
+  if (text.empty()) return base::Done{};
+  if (base::Status status = check_text("e-mail address", text, kLongest); !status) return status;
+  const std::size_t at = text.find('@');
+  const bool one_at = at != std::string::npos && text.find('@', at + 1) == std::string::npos;
+  const bool both_sides = at != 0 && at + 1 != text.size();
+  const bool one_word =
+      !has_control_character(text) && text.find_first_of(" ,;:<>()[]\\\"") == std::string::npos;
+  const bool dots_inside = text.back() != '.' && text.find("@.") == std::string::npos &&
+                           text.find("..") == std::string::npos && text.front() != '.';
+  if (one_at && both_sides && one_word && dots_inside) return base::Done{};
+  return refused("e-mail address", "is not of the form name@clinic.example");
+}
+
 }  // namespace database

@@ -15,6 +15,8 @@ inline constexpr std::size_t kMaxDocument = 4 << 20;  // bytes: the text of a cu
 
 // Names are one line: no control characters, not empty, no blanks around.
 base::Status check_name(const char* what, const std::string& text);
+// One address, of the form NAME@HOST; empty is none. Whether it exists only a letter can tell.
+base::Status check_email(const std::string& text);
 // Text may be empty and have several lines.
 base::Status check_text(const char* what, const std::string& text, std::size_t max = kMaxText);
 

@@ -1,5 +1,7 @@
 #include "app/server/json_body.h"
 
+#include <utility>
+
 namespace app {
 namespace {
 
@@ -23,14 +25,21 @@ bool nested_too_deep(const std::string& text) {
 
 }  // namespace
 
-base::Result<json> read_text_fields(const Request& request,
-                                    std::initializer_list<const char*> names) {
+base::Result<json> read_json_object(const Request& request) {
   if (!request.header("content-type").starts_with("application/json")) {
     return refuse("Send the request as JSON (Content-Type: application/json).");
   }
   if (nested_too_deep(request.body)) return refuse("The JSON in the request is nested too deep.");
   json body = json::parse(request.body, nullptr, false);
   if (!body.is_object()) return refuse("The request is not a readable JSON object.");
+  return body;
+}
+
+base::Result<json> read_text_fields(const Request& request,
+                                    std::initializer_list<const char*> names) {
+  auto read = read_json_object(request);
+  if (!read) return read.error();
+  json body = *std::move(read);
   for (const char* name : names) {
     const auto found = body.find(name);
     if (found == body.end() || !found->is_string()) {

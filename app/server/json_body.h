@@ -11,8 +11,11 @@
 
 namespace app {
 
-// An object with exactly these fields, each a string. The content must be declared as JSON: a form
-// of another site cannot do that.
+// An object with any fields. The content must be declared as JSON: a form of another site cannot do
+// that. For fields that are not all text, see json_fields.h.
+base::Result<nlohmann::json> read_json_object(const Request& request);
+
+// An object with exactly these fields, each a string.
 base::Result<nlohmann::json> read_text_fields(const Request& request,
                                               std::initializer_list<const char*> names);
 

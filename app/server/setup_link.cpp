@@ -1,11 +1,11 @@
 #include "app/server/setup_link.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <ctime>
 #include <optional>
 
+#include "app/server/expiry.h"
 #include "app/server/passwords.h"
 #include "app/server/secrets.h"
 #include "database/people.h"
@@ -16,15 +16,6 @@ namespace {
 constexpr std::time_t kGoodFor = 24 * 3600;  // s
 
 base::Error refuse(base::ErrorCode code, const char* sentence) { return {code, sentence}; }
-
-std::string utc_in(std::time_t seconds) {
-  const std::time_t then = std::time(nullptr) + seconds;
-  std::tm parts{};
-  gmtime_r(&then, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.000Z", &parts);
-  return text.data();
-}
 
 base::Status check_name(const std::string& name) {
   const bool printable =

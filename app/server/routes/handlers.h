@@ -12,18 +12,30 @@ base::Result<Response> get_session(Call& call);
 base::Result<Response> post_session(Call& call);
 base::Result<Response> delete_session(Call& call);
 base::Result<Response> post_setup(Call& call);
+base::Result<Response> post_look_at_invitation(Call& call);
+base::Result<Response> post_invitation(Call& call);
 
 base::Result<Response> get_training(Call& call);
 base::Result<Response> get_exercise(Call& call);
 base::Result<Response> get_mesh(Call& call);
 base::Result<Response> get_metrics(Call& call);
+base::Result<Response> get_settings(Call& call);
+base::Result<Response> put_settings(Call& call);
+base::Result<Response> post_password(Call& call);
 
 base::Result<Response> post_trial(Call& call);
 base::Result<Response> get_live_mine(Call& call);
 base::Result<Response> get_trial(Call& call);
 
 base::Result<Response> get_people(Call& call);
+base::Result<Response> get_person(Call& call);
+base::Result<Response> post_person(Call& call);
+base::Result<Response> put_person(Call& call);
+base::Result<Response> post_person_invitation(Call& call);
 base::Result<Response> get_progress(Call& call);
+base::Result<Response> post_import_preview(Call& call);
+base::Result<Response> post_import(Call& call);
+base::Result<Response> get_groups(Call& call);
 
 base::Result<Response> get_compare_options(Call& call);
 base::Result<Response> get_comparison(Call& call);

@@ -1,6 +1,5 @@
 // Signing in and out, and what is known before: the site and its set-up.
 #include <algorithm>
-#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +9,7 @@
 #include "app/server/routes/handlers.h"
 #include "app/server/secrets.h"
 #include "app/server/setup_link.h"
+#include "app/server/sign_in_answer.h"
 #include "app/server/site.h"
 
 namespace app {
@@ -17,41 +17,9 @@ namespace {
 
 using nlohmann::json;
 
-Response session_response(const database::Person& person, const std::string& csrf_token,
-                          const Site& site) {
-  return json_response({{"person_id", person.id},
-                        {"name", person.name},
-                        {"display_name", person.display_name},
-                        {"role", database::word(person.role)},
-                        {"csrf", csrf_token},
-                        {"demo", site.options.demo}});
-}
-
-Response too_often(double wait_s) {
-  const int seconds = static_cast<int>(std::ceil(wait_s));
-  Response response = problem(
-      429, "too_many", "Too many attempts; try again in " + std::to_string(seconds) + " seconds.");
-  response.headers.emplace_back("Retry-After", std::to_string(seconds));
-  return response;
-}
-
 // The same for a wrong name and a wrong password, so that nobody learns which names exist.
 Response wrong_credentials() {
   return problem(401, "wrong_credentials", "The name or the password is wrong.");
-}
-
-// A new session, and the cookie that opens it. The one before ends.
-base::Result<Response> sign_in(Call& call, const database::Person& person) {
-  if (call.viewer) {
-    const auto ended = database::end_web_session(call.store, call.viewer->session_hash);
-    if (!ended) return ended.error();
-  }
-  const auto begun = begin_session(call.store, person.id);
-  if (!begun) return begun.error();
-  Response response = session_response(person, begun->csrf_token, call.site);
-  response.headers.emplace_back("Set-Cookie",
-                                session_cookie(begun->token, call.site.session_rules()));
-  return response;
 }
 
 // The person, if name and password belong together. Takes the same time either way.

@@ -9,6 +9,7 @@ using database::Role;
 
 Who trains() { return Who::roles({Role::trainee, Role::instructor, Role::administrator}); }
 Who teaches() { return Who::roles({Role::instructor, Role::administrator}); }
+Who administers() { return Who::roles({Role::administrator}); }
 Who compares() { return Who::roles({Role::instructor, Role::administrator, Role::researcher}); }
 
 }  // namespace
@@ -17,6 +18,7 @@ std::span<const Route> routes() {
   using enum Method;
   constexpr LaneKind kSlow = LaneKind::slow;
   constexpr LaneKind kQuick = LaneKind::quick;
+  constexpr std::size_t kLongList = std::size_t{1} << 20;  // bytes
   static const std::array kRoutes = std::to_array<Route>({
       {get, "/api/health", Who::anyone(), get_health},
       {get, "/api/site", Who::anyone(), get_site},
@@ -24,12 +26,17 @@ std::span<const Route> routes() {
       {get, "/api/session", Who::signed_in(), get_session},
       {remove, "/api/session", Who::signed_in(), delete_session},
       {post, "/api/setup", Who::anyone(), post_setup, kSlow},
+      {post, "/api/invitation/look", Who::anyone(), post_look_at_invitation},
+      {post, "/api/invitation", Who::anyone(), post_invitation, kSlow},
 
       // one's own
       {get, "/api/training", trains(), get_training},
       {get, "/api/exercises/{id}", trains(), get_exercise},
       {get, "/api/anatomies/{id}/mesh.glb", Who::signed_in(), get_mesh, kSlow},
       {get, "/api/metrics", Who::signed_in(), get_metrics},
+      {get, "/api/me/settings", Who::signed_in(), get_settings},
+      {put, "/api/me/settings", Who::signed_in(), put_settings},
+      {post, "/api/me/password", Who::signed_in(), post_password, kSlow},
 
       // trials
       {post, "/api/trials", trains(), post_trial, kSlow},
@@ -39,7 +46,16 @@ std::span<const Route> routes() {
 
       // people
       {get, "/api/people", teaches(), get_people},
+      {post, "/api/people", administers(), post_person},
+      {get, "/api/people/{id}", administers().about(Subject::person), get_person},
+      {put, "/api/people/{id}", administers().about(Subject::person), put_person},
+      {post, "/api/people/{id}/invitation", administers().about(Subject::person),
+       post_person_invitation},
       {get, "/api/people/{id}/progress", trains().about(Subject::person), get_progress},
+      {post, "/api/people/import/preview", administers(), post_import_preview, kQuick, false,
+       kLongList},
+      {post, "/api/people/import", administers(), post_import, kSlow, false, kLongList},
+      {get, "/api/groups", teaches(), get_groups},
 
       // curricula, instruments
 

@@ -442,6 +442,10 @@ export interface PersonDetail {
    * has a password and is not disabled
    */
   can_sign_in: boolean;
+  /**
+   * null: never
+   */
+  last_sign_in_utc?: string | null;
   created_utc: string;
 }
 export interface ExperienceRow {
