@@ -122,7 +122,7 @@ function Exercises({person}: {person: PersonRow}) {
     <div className={styles.statuses}>
       <span>{proficient} of {person.statuses.length} proficient</span>
       {stuck.slice(0, 2).map((card) => (
-        <span key={card.exercise_id} className={styles.stuck}><State state={card.status} /> <span className="small">{shortTitle(card.title)}</span></span>
+        <span key={card.exercise_id} className={styles.stuck}><State state={card.status} form="short" /> <span className="small">{shortTitle(card.title)}</span></span>
       ))}
       {stuck.length > 2 && <span className="xs faint">and {stuck.length - 2} more</span>}
     </div>
