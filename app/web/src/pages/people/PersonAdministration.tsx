@@ -64,7 +64,10 @@ function accountState(detail: PersonDetail): StateName {
 
 function accountSentence(detail: PersonDetail): string {
   if (detail.person.disabled) return 'Cannot sign in. Trials and results are kept.';
-  if (detail.can_sign_in) return 'Has a password and can sign in.';
+  if (detail.can_sign_in) {
+    const last = detail.last_sign_in_utc ?? null;
+    return last === null ? 'Has a password and can sign in.' : `Signed in last: ${formatWhen(last)}.`;
+  }
   if (detail.invitation_expires_utc === null) return 'Has no password and no link that works. Make a new link.';
   return new Date(detail.invitation_expires_utc) < new Date()
     ? `The link ended ${formatWhen(detail.invitation_expires_utc)}. Make a new one.`

@@ -1,5 +1,6 @@
 import {useEffect, useState} from 'react';
 import {useSignedIn} from '../../parts/api';
+import {isThere, paths} from '../../parts/paths';
 
 export interface Choice {
   value: string;
@@ -11,6 +12,7 @@ export function useCurriculumChoices(): Choice[] {
   const {api} = useSignedIn();
   const [choices, setChoices] = useState<Choice[]>([]);
   useEffect(() => {
+    if (!isThere(paths.curricula)) return;
     let stale = false;
     api.curricula().then(({curricula}) => {
       if (stale) return;
