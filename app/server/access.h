@@ -14,9 +14,9 @@ namespace app {
 
 bool may_see(const database::Person& viewer, const database::Person& person);
 
-// Looks up the person or trial that the path names by {id} ("me": oneself). not_found when it does
-// not exist, denied when it is somebody else's.
-base::Status check_subject(database::Store& store, const database::Person& viewer, Subject subject,
-                           const std::map<std::string, std::string>& parameters);
+// Looks up the person, trial or practice that the path names by {id} ("me": oneself). not_found
+// when it does not exist, denied when it is somebody else's.
+base::Status check_subject(database::Store& store, Site& site, const database::Person& viewer,
+                           Subject subject, const std::map<std::string, std::string>& parameters);
 
 }  // namespace app

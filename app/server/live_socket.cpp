@@ -65,8 +65,9 @@ class LiveSocket : public std::enable_shared_from_this<LiveSocket<Stream>> {
       self.frame_ = frame;  // an older one not yet sent is of no use any more
       self.write_next();
     });
-    listener.filed =
-        on_strand([](LiveSocket& self) { self.say(filed_notice(self.door_.trial_id)); });
+    listener.finished = on_strand([](LiveSocket& self, bool practice) {
+      self.say(finished_notice(self.door_.trial_id, practice));
+    });
     listener.failed =
         on_strand([](LiveSocket& self, const std::string& why) { self.say(error_notice(why)); });
     auto seat = door_.trials->sit(door_.trial_id, door_.may_steer, std::move(listener));

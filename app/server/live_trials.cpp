@@ -14,16 +14,17 @@ namespace app {
 namespace {
 
 constexpr int kFrameWaitMs = 100;     // how often to look around while nothing moves
-constexpr double kLinger = 30.0;      // s a filed trial can still be joined, to hear that it is
+constexpr double kLinger = 30.0;      // s a finished trial can still be joined, to hear that it is
 constexpr double kNeverFiled = 60.0;  // s after its end that a trial is given up
 
 }  // namespace
 
 struct LiveTrials::Entry {
-  Entry(RunningTrial what, LiveTrialSetup setup)
-      : about(std::move(what)), trial(std::move(setup)) {}
+  Entry(RunningTrial what, LiveTrialSetup setup, std::function<void(const LiveResult&)> tell)
+      : about(std::move(what)), on_finished(std::move(tell)), trial(std::move(setup)) {}
 
   const RunningTrial about;
+  const std::function<void(const LiveResult&)> on_finished;
   LiveTrial trial;
   std::thread pump;
   std::atomic<bool> closing{false};
@@ -35,11 +36,13 @@ struct LiveTrials::Entry {
   std::size_t next_seat = 1;
   std::size_t wheel = 0;  // the seat that steers; 0: nobody
   double unsteered_since = steady_seconds();
+  std::optional<double> still_since = steady_seconds();  // paused; absent while it runs
 
-  void run(double abandon_after_s);
+  void run(const LivePatience& patience);
   void send_newest_frame(std::uint64_t& last);
   void tell_finished(const std::string& failure);
-  bool abandoned(double after_s);
+  bool abandoned(const LivePatience& patience);
+  void pause();  // under the lock
 };
 
 void LiveTrials::Entry::send_newest_frame(std::uint64_t& last) {
@@ -55,27 +58,34 @@ void LiveTrials::Entry::tell_finished(const std::string& failure) {
   finished = true;
   for (const auto& [seat, listener] : listeners) {
     if (failure.empty()) {
-      listener.filed();
+      listener.finished(about.practice);
     } else {
       listener.failed(failure);
     }
   }
 }
 
-bool LiveTrials::Entry::abandoned(double after_s) {
+bool LiveTrials::Entry::abandoned(const LivePatience& patience) {
   const std::lock_guard lock(mutex);
-  return wheel == 0 && steady_seconds() - unsteered_since > after_s;
+  const double now = steady_seconds();
+  if (about.practice) return still_since && now - *still_since > patience.practice_s;
+  return wheel == 0 && now - unsteered_since > patience.trial_s;
 }
 
-// Carries frames to the listeners until the trial is filed and a little longer.
-void LiveTrials::Entry::run(double abandon_after_s) {
+void LiveTrials::Entry::pause() {
+  trial.pause();
+  if (!still_since) still_since = steady_seconds();
+}
+
+// Carries frames to the listeners until the trial is finished and a little longer.
+void LiveTrials::Entry::run(const LivePatience& patience) {
   std::uint64_t last = 0;
   double ended_at = -1.0;
-  while (!trial.filed() && trial.failure().empty()) {
+  while (!trial.finished() && trial.failure().empty()) {
     send_newest_frame(last);
     const double now = steady_seconds();
     if (!trial.ended()) {
-      if (closing || abandoned(abandon_after_s)) trial.abort();
+      if (closing || abandoned(patience)) trial.abort();
     } else if (ended_at < 0.0) {
       ended_at = now;
     } else if (now - ended_at > kNeverFiled) {
@@ -84,8 +94,9 @@ void LiveTrials::Entry::run(double abandon_after_s) {
   }
   send_newest_frame(last);
   std::string failure = trial.failure();
-  if (failure.empty() && !trial.filed()) failure = "The trial could not be filed in time.";
+  if (failure.empty() && !trial.finished()) failure = "The trial could not be filed in time.";
   if (!failure.empty()) spdlog::error("trial {}: {}", about.trial_id, failure);
+  if (failure.empty() && on_finished) on_finished(trial.result());
   tell_finished(failure);
 
   const double until = steady_seconds() + kLinger;
@@ -104,7 +115,7 @@ LiveTrials::Seat::~Seat() {
   if (entry_->wheel != number_) return;
   entry_->wheel = 0;
   entry_->unsteered_since = steady_seconds();
-  entry_->trial.pause();
+  entry_->pause();
 }
 
 bool LiveTrials::Seat::take_wheel() {
@@ -114,39 +125,45 @@ bool LiveTrials::Seat::take_wheel() {
   return entry_->wheel == number_;
 }
 
-bool LiveTrials::Seat::steers() const {
-  const std::lock_guard lock(entry_->mutex);
-  return entry_->wheel == number_;
-}
+bool LiveTrials::Seat::steers() const { return entry_->wheel == number_; }
 
 void LiveTrials::Seat::command(const LiveCommand& command) {
+  const std::lock_guard lock(entry_->mutex);
   if (steers()) entry_->trial.command(command);
 }
 
 void LiveTrials::Seat::pause() {
-  if (steers()) entry_->trial.pause();
+  const std::lock_guard lock(entry_->mutex);
+  if (steers()) entry_->pause();
 }
 
 void LiveTrials::Seat::resume() {
-  if (steers()) entry_->trial.resume();
+  const std::lock_guard lock(entry_->mutex);
+  if (!steers()) return;
+  entry_->still_since.reset();
+  entry_->trial.resume();
 }
 
 void LiveTrials::Seat::abort() {
+  const std::lock_guard lock(entry_->mutex);
   if (steers()) entry_->trial.abort();
 }
 
-LiveTrials::LiveTrials(int limit, double abandon_after_s)
-    : limit_(limit), abandon_after_s_(abandon_after_s) {}
+LiveTrials::LiveTrials(int limit, LivePatience patience) : limit_(limit), patience_(patience) {}
 
 LiveTrials::~LiveTrials() { stop(); }
 
 base::Status LiveTrials::reserve(const std::string& person_id) {
   const std::lock_guard lock(mutex_);
   forget_finished();
-  const bool runs = std::any_of(entries_.begin(), entries_.end(), [&](const auto& entry) {
+  const auto own = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) {
     return entry.second->about.person_id == person_id && !entry.second->finished;
   });
-  if (runs || reserved_.contains(person_id)) {
+  if (own != entries_.end() && own->second->about.practice) {
+    return base::Error{base::ErrorCode::conflict,
+                       "You are practising; go back to it, or end the practice first."};
+  }
+  if (own != entries_.end() || reserved_.contains(person_id)) {
     return base::Error{base::ErrorCode::conflict,
                        "You have a trial running; go back to it, or end it first."};
   }
@@ -165,14 +182,15 @@ void LiveTrials::release(const std::string& person_id) {
   reserved_.erase(person_id);
 }
 
-base::Status LiveTrials::start(const RunningTrial& trial, LiveTrialSetup setup) {
+base::Status LiveTrials::start(const RunningTrial& trial, LiveTrialSetup setup,
+                               std::function<void(const LiveResult&)> on_finished) {
   const std::lock_guard lock(mutex_);
   if (stopped_) {
     return base::Error{base::ErrorCode::unavailable, "The server is stopping; try again later."};
   }
   // shared: the seats keep it until the last browser has left
-  auto entry = std::make_shared<Entry>(trial, std::move(setup));
-  entry->pump = std::thread([&running = *entry, limit = abandon_after_s_] { running.run(limit); });
+  auto entry = std::make_shared<Entry>(trial, std::move(setup), std::move(on_finished));
+  entry->pump = std::thread([&running = *entry, patience = patience_] { running.run(patience); });
   entries_.emplace(trial.trial_id, std::move(entry));
   return base::Done{};
 }
@@ -183,6 +201,24 @@ std::optional<RunningTrial> LiveTrials::of_person(const std::string& person_id) 
     if (entry->about.person_id == person_id && !entry->finished) return entry->about;
   }
   return std::nullopt;
+}
+
+std::optional<RunningTrial> LiveTrials::find(const std::string& trial_id) {
+  const std::lock_guard lock(mutex_);
+  const auto found = entries_.find(trial_id);
+  if (found == entries_.end()) return std::nullopt;
+  return found->second->about;
+}
+
+std::vector<LiveTrials::Running> LiveTrials::running() {
+  const std::lock_guard lock(mutex_);
+  std::vector<Running> list;
+  // by id, which is by the time of their beginning
+  for (const auto& [id, entry] : entries_) {
+    if (entry->finished || entry->about.practice) continue;
+    list.push_back({entry->about, entry->trial.paused()});
+  }
+  return list;
 }
 
 bool LiveTrials::runs(const std::string& trial_id) {
@@ -207,7 +243,7 @@ base::Result<std::unique_ptr<LiveTrials::Seat>> LiveTrials::sit(const std::strin
   const std::lock_guard lock(entry->mutex);
   const std::size_t number = entry->next_seat++;
   if (entry->finished) {
-    listener.filed();
+    listener.finished(entry->about.practice);
   } else {
     // the newest picture at once: a paused trial makes no new one
     std::uint64_t none = 0;

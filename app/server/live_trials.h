@@ -2,7 +2,8 @@
 //
 // Each trial has one seat that steers and any number that watch. Leaving the steering seat pauses
 // the trial; whoever may steer and asks for it next takes it. Nobody steering for too long aborts
-// the trial, which files it.
+// the trial, which files it. Practice, of which nothing is kept, ends already when it has stood
+// still for a while, somebody at it or not.
 #pragma once
 
 #include <cstddef>
@@ -25,14 +26,22 @@ using Frame = std::shared_ptr<const std::vector<std::byte>>;  // shared: by all 
 // Called from the trial's own threads; must return at once and not throw.
 struct LiveListener {
   std::function<void(const Frame&)> frame;
-  std::function<void()> filed;                     // in the database; nothing follows
+  std::function<void(bool practice)> finished;     // filed, or not kept; nothing follows
   std::function<void(const std::string&)> failed;  // could not be filed, and why
 };
 
-// What POST /api/trials began, so that a lost tab can come back to it.
+// What POST /api/trials or /api/practice began, so that a lost tab can come back to it.
 struct RunningTrial {
   std::string trial_id, person_id, exercise_id;
-  int ordinal = 0;
+  int ordinal = 0;  // 0: practice
+  bool practice = false;
+  std::string device, started_utc;
+};
+
+// How long nobody may be at it.
+struct LivePatience {
+  double trial_s = 600.0;     // without anybody steering
+  double practice_s = 300.0;  // standing still
 };
 
 class LiveTrials {
@@ -63,18 +72,26 @@ class LiveTrials {
     bool may_steer_;
   };
 
-  LiveTrials(int limit, double abandon_after_s);
+  LiveTrials(int limit, LivePatience patience);
   ~LiveTrials();  // stops
 
-  // One trial per person: holds the person's place while the trial is being prepared. Fails with
-  // conflict (has one running), or unavailable (as many run as the machine takes).
+  // One trial or practice per person: holds the person's place while it is being prepared. Fails
+  // with conflict (has one running), or unavailable (as many run as the machine takes).
   base::Status reserve(const std::string& person_id);
   void release(const std::string& person_id);
-  // Starts a reserved trial, paused.
-  base::Status start(const RunningTrial& trial, LiveTrialSetup setup);
+  // Starts a reserved trial, paused. `on_finished`: called once from the trial's own thread when it
+  // is judged, before anybody is told.
+  base::Status start(const RunningTrial& trial, LiveTrialSetup setup,
+                     std::function<void(const LiveResult&)> on_finished = {});
 
   std::optional<RunningTrial> of_person(const std::string& person_id);
-  bool runs(const std::string& trial_id);  // or has just been filed
+  std::optional<RunningTrial> find(const std::string& trial_id);  // also one that just finished
+  struct Running {
+    RunningTrial about;
+    bool paused = false;
+  };
+  std::vector<Running> running();          // in the order they were begun, practice left out
+  bool runs(const std::string& trial_id);  // or has just finished
   // not_found when the trial does not run (any more).
   base::Result<std::unique_ptr<Seat>> sit(const std::string& trial_id, bool may_steer,
                                           LiveListener listener);
@@ -85,7 +102,7 @@ class LiveTrials {
   void forget_finished();  // under the lock
 
   const int limit_;
-  const double abandon_after_s_;
+  const LivePatience patience_;
   std::mutex mutex_;
   std::set<std::string> reserved_;                         // people
   std::map<std::string, std::shared_ptr<Entry>> entries_;  // by trial; shared with its seats

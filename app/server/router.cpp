@@ -13,7 +13,6 @@
 #include "app/server/secrets.h"
 #include "app/server/site.h"
 #include "app/server/static_files.h"
-#include "database/trials.h"
 
 namespace app {
 namespace {
@@ -124,7 +123,7 @@ std::optional<Response> pass_gate(const Request& request, Purpose purpose, datab
 
   if (auto refusal = check_viewer(route, request, admitted.viewer)) return refusal;
   const auto allowed =
-      check_subject(store, admitted.viewer->person, route.who.subject(), admitted.parameters);
+      check_subject(store, site, admitted.viewer->person, route.who.subject(), admitted.parameters);
   if (!allowed) return problem(allowed.error());
   return std::nullopt;
 }
@@ -154,12 +153,8 @@ LiveAdmission admit(const Request& request, database::Store& store, Site& site) 
     return admission;
   }
   admission.trial_id = admitted.parameters.at("id");
-  const auto owner = database::trial(store, admission.trial_id);
-  if (!owner) {
-    admission.refusal = problem(owner.error());
-    return admission;
-  }
-  admission.may_steer = owner->head.person_id == admitted.viewer->person.id;
+  const auto running = site.live.find(admission.trial_id);
+  admission.may_steer = running && running->person_id == admitted.viewer->person.id;
   return admission;
 }
 

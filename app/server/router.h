@@ -24,7 +24,7 @@ namespace app {
 struct Site;
 
 // Whose data a route shows, by the parameter {id} of its path.
-enum class Subject { nobody, person, trial };
+enum class Subject { nobody, person, trial, live_trial, practice };
 
 // Who may use a route.
 class Who {
@@ -32,7 +32,8 @@ class Who {
   static Who anyone();     // also without signing in
   static Who signed_in();  // whatever the role
   static Who roles(std::initializer_list<database::Role> roles);
-  Who about(Subject subject) const;  // of those, whoever may see this person or trial
+  Who about(Subject subject) const;  // of those, whoever may see this person or trial; practice
+                                     // is seen by nobody but the one who practises
 
   bool is_public() const { return public_; }
   bool allows(database::Role role) const {

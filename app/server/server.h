@@ -43,9 +43,10 @@ struct ServerOptions {
   double session_idle_s = 8.0 * 3600.0;
   double session_absolute_s = 24.0 * 3600.0;
   double request_timeout_s = 30.0;
-  double abandon_live_after_s = 600.0;  // a live trial nobody steers is aborted and filed
-  double requests_per_second = 100.0;   // per client, with bursts of ten seconds' worth
-  bool build_scenes_ahead = true;       // vessels of the exercises, at start, in the background
+  double abandon_live_after_s = 600.0;      // a live trial nobody steers is aborted and filed
+  double abandon_practice_after_s = 300.0;  // practice that stands still ends
+  double requests_per_second = 100.0;       // per client, with bursts of ten seconds' worth
+  bool build_scenes_ahead = true;           // vessels of the exercises, at start, in the background
 
   bool tls() const { return !tls_certificate.empty() || !tls_key.empty(); }
 };

@@ -4,6 +4,7 @@
 
 #include "app/server/live_trials.h"
 #include "app/server/mesh_cache.h"
+#include "app/server/practice_results.h"
 #include "app/server/published_curricula.h"
 #include "app/server/server.h"
 #include "app/server/sessions.h"
@@ -17,13 +18,15 @@ struct Site {
       : options(std::move(its_options)),
         scenes(std::move(library)),
         meshes(scenes),
-        live(options.max_live_trials, options.abandon_live_after_s),
+        live(options.max_live_trials,
+             {options.abandon_live_after_s, options.abandon_practice_after_s}),
         requests(options.requests_per_second) {}
 
   const ServerOptions options;
   SceneStore scenes;
   MeshCache meshes;
   PublishedCurricula curricula;
+  PracticeResults practice;  // before the trials, which put their results there
   LiveTrials live;
   FailureThrottle names{5};     // wrong passwords for one name
   FailureThrottle clients{30};  // wrong passwords from one address, a class room perhaps

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "app/session/frame_encoder.h"
-#include "app/session/trial_file.h"
 #include "sim/base/units.h"
 
 namespace app {
@@ -49,7 +48,7 @@ struct PendingMove {
 
 struct LiveTrial::Parts {
   explicit Parts(LiveTrialSetup its_setup)
-      : setup(std::move(its_setup)), run(setup.scene, setup.exercise) {
+      : setup(std::move(its_setup)), run(setup.scene, setup.exercise, setup.keeper->recording()) {
     publish();
   }
 
@@ -157,7 +156,7 @@ struct LiveTrial::Parts {
     }
     const std::lock_guard lock(frame_mutex);
     frame_context.paused = paused;
-    frame_context.filed = filed.load();
+    frame_context.filed = finished.load() && setup.keeper->recording() == Recording::written;
     frame_context.paused_for = wall.paused;
     frame_context.slowed_for = wall.slowed;
     ++frame_context.frame;
@@ -177,8 +176,8 @@ struct LiveTrial::Parts {
   // --- writer thread ---------------------------------------------------------------------------
 
   void write() {
-    auto store = database::Store::open(setup.database_url);
-    if (!store) fail(store.error().message);
+    const base::Status opened = setup.keeper->open();
+    if (!opened) fail(opened.error().message);
     std::vector<RecordedSecond> unwritten;
     while (true) {
       {
@@ -187,10 +186,10 @@ struct LiveTrial::Parts {
                                [this] { return !queue.empty() || simulated.load(); });
         std::move(queue.begin(), queue.end(), std::back_inserter(unwritten));
         queue.clear();
-        if (simulated.load() && queue.empty() && (unwritten.empty() || !store)) break;
+        if (simulated.load() && queue.empty() && (unwritten.empty() || !opened)) break;
       }
-      if (!store || unwritten.empty()) continue;
-      const base::Status written = append(**store, setup.trial_id, unwritten);
+      if (!opened || unwritten.empty()) continue;
+      const base::Status written = setup.keeper->append(unwritten);
       if (!written) {
         fail(written.error().message);
         if (simulated.load()) break;
@@ -198,12 +197,18 @@ struct LiveTrial::Parts {
       }
       unwritten.clear();
     }
-    if (store && unwritten.empty()) {
-      const auto judged = finish(**store, setup.trial_id, run, setup.exercise, wall);
-      if (!judged) fail(judged.error().message);
-    }
-    if (failure_text().empty()) filed.store(true);
+    if (opened && unwritten.empty()) judge_run();
+    if (failure_text().empty()) finished.store(true);
     publish();
+  }
+
+  void judge_run() {
+    auto judged = setup.keeper->finish(run, setup.exercise, wall);
+    if (!judged) return fail(judged.error().message);
+    result.end_reason = run.monitor().task().end_reason;
+    result.judgement = *std::move(judged);
+    result.interrupted = is_interrupted(
+        wall, static_cast<double>(run.world().observation().step) * sim::kStepLength);
   }
 
   // A trial that cannot be stored must not go on as if it counted.
@@ -244,7 +249,8 @@ struct LiveTrial::Parts {
   std::condition_variable queue_changed;
   std::vector<RecordedSecond> queue;
   std::atomic<bool> simulated{false};
-  std::atomic<bool> filed{false};
+  LiveResult result;  // the writer's until `finished`, then constant
+  std::atomic<bool> finished{false};
 
   mutable std::mutex failure_mutex;
   std::string failure;
@@ -303,9 +309,15 @@ bool LiveTrial::wait_frame(std::uint64_t last, int timeout_ms) const {
                                         [&] { return parts_->frame_context.frame != last; });
 }
 
+bool LiveTrial::paused() const {
+  const std::lock_guard lock(parts_->mailbox_mutex);
+  return parts_->paused_wanted;
+}
+
 bool LiveTrial::ended() const { return parts_->simulated.load(); }
-bool LiveTrial::filed() const { return parts_->filed.load(); }
+bool LiveTrial::finished() const { return parts_->finished.load(); }
 std::string LiveTrial::failure() const { return parts_->failure_text(); }
+const LiveResult& LiveTrial::result() const { return parts_->result; }
 const std::string& LiveTrial::trial_id() const { return parts_->setup.trial_id; }
 const std::string& LiveTrial::person_id() const { return parts_->setup.person_id; }
 

@@ -3,7 +3,7 @@
 //
 //   socket thread --command()--> [mailbox] --> simulation thread --> frame() --> socket threads
 //                                                     |
-//                                                     +--> writer thread --> database
+//                                                     +--> writer thread --> TrialKeeper
 //
 // Losing the connection pauses: nothing moves and the clock notes it.
 #pragma once
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/session/scene.h"
+#include "app/session/trial_keeper.h"
 #include "app/session/trial_run.h"
 #include "curricula/curriculum.h"
 
@@ -33,14 +34,21 @@ struct LiveTrialSetup {
   std::string person_id;
   std::shared_ptr<const Scene> scene;
   curricula::Exercise exercise;
-  std::string database_url;  // the writer opens its own connection
+  std::unique_ptr<TrialKeeper> keeper;
+};
+
+// What came of it.
+struct LiveResult {
+  assessment::EndReason end_reason = assessment::EndReason::aborted;
+  Judgement judgement;
+  bool interrupted = false;  // too long a pause, or slowed down: shown, not counted
 };
 
 class LiveTrial {
  public:
-  // The trial must be begun in the database. Starts paused.
+  // A trial that is to be filed must be begun in the database. Starts paused.
   explicit LiveTrial(LiveTrialSetup setup);
-  ~LiveTrial();  // a trial not ended is aborted and filed
+  ~LiveTrial();  // a trial not ended is aborted and given to its keeper
 
   void command(const LiveCommand& command);
   void pause();
@@ -53,9 +61,11 @@ class LiveTrial {
   // Waits up to `timeout_ms` for a newer frame.
   bool wait_frame(std::uint64_t last, int timeout_ms) const;
 
-  bool ended() const;           // the simulation is over
-  bool filed() const;           // and metrics and verdict are in the database
-  std::string failure() const;  // why it could not be filed, or empty
+  bool paused() const;
+  bool ended() const;                // the simulation is over
+  bool finished() const;             // and judged; unless it is practice, it is in the database
+  std::string failure() const;       // why it could not be filed, or empty
+  const LiveResult& result() const;  // once finished
   const std::string& trial_id() const;
   const std::string& person_id() const;
 

@@ -27,6 +27,13 @@ Pieces pieces_of(std::span<const RecordedSecond> seconds) {
   return pieces;
 }
 
+assessment::RecordedTrial recorded_of(const TrialRun& run, const WallTime& wall) {
+  assessment::RecordedTrial recorded = run.recorded_trial();
+  recorded.paused = wall.paused;
+  recorded.slowed = wall.slowed;
+  return recorded;
+}
+
 }  // namespace
 
 bool is_interrupted(const WallTime& wall, double simulated) {
@@ -65,11 +72,13 @@ base::Status append(database::Store& store, const std::string& trial_id,
   return database::append_trace(store, trial_id, pieces.chunks, pieces.events);
 }
 
+Judgement judge(const curricula::Exercise& exercise, const TrialRun& run, const WallTime& wall) {
+  return judge(exercise, recorded_of(run, wall));
+}
+
 base::Result<Judgement> finish(database::Store& store, const std::string& trial_id, TrialRun& run,
                                const curricula::Exercise& exercise, const WallTime& wall) {
-  assessment::RecordedTrial recorded = run.recorded_trial();
-  recorded.paused = wall.paused;
-  recorded.slowed = wall.slowed;
+  const assessment::RecordedTrial recorded = recorded_of(run, wall);
   Judgement judgement = judge(exercise, recorded);
 
   database::FinishedTrial finished;

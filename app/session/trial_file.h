@@ -47,6 +47,9 @@ base::Result<BegunTrial> begin(database::Store& store, const TrialHead& head, co
 base::Status append(database::Store& store, const std::string& trial_id,
                     std::span<const RecordedSecond> seconds);
 
+// Judges the ended run, with what the wall clock knows of it. Stores nothing.
+Judgement judge(const curricula::Exercise& exercise, const TrialRun& run, const WallTime& wall);
+
 // Judges the ended run and closes the trial, its last seconds with it.
 base::Result<Judgement> finish(database::Store& store, const std::string& trial_id, TrialRun& run,
                                const curricula::Exercise& exercise, const WallTime& wall);

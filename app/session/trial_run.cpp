@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/session/recording.h"
@@ -14,14 +15,13 @@ std::array<double, 3> array_of(const sim::Vec3& v) { return {v.x(), v.y(), v.z()
 }  // namespace
 
 struct TrialRun::Parts {
-  Parts(std::shared_ptr<const Scene> its_scene, const curricula::Exercise& exercise)
+  Parts(std::shared_ptr<const Scene> its_scene, const curricula::Exercise& exercise,
+        Recording recording)
       : scene(std::move(its_scene)),
         exercise_id(exercise.id),
         world(scene->scenario()),
         monitor(exercise) {
-    current.inputs.reserve(64 * 1024);
-    current.observed.reserve(16 * 1024);
-    state.reserve(256 * 1024);
+    if (recording == Recording::written) recorder.emplace();
     trial.samples.reserve(120 * 100);
     take_sample();
   }
@@ -45,33 +45,20 @@ struct TrialRun::Parts {
     sample.contact_load = seen.contact_load;
     sample.handle_force_peak = std::max(handle_peak, std::abs(seen.handle_force));
     sample.contact_count = seen.contact_count;
-    write_sample(current.observed, step_number(), sample);
+    if (recorder) recorder->note_sample(step_number(), sample);
     trial.samples.push_back(as_recorded(sample));
     contact_peak = 0.0;
     handle_peak = 0.0;
   }
 
-  void hash_second() {
-    state.clear();
-    world.append_state(state);
-    last_state = hash_of(state);
-    write_hashes(current.hashes,
-                 {step_number(), last_state, hash_of(current.inputs), hash_of(current.observed)});
+  void note_input(const sim::HandleInput& input) {
+    if (input.feed == last_input.feed && input.turn == last_input.turn) return;
+    if (recorder) recorder->note_input(step_number() + 1, input);
+    last_input = input;
   }
 
-  // Hands over the second that is complete, with the events that fell into it.
   void close_second() {
-    hash_second();
-    const auto& events = monitor.events();
-    current.events.assign(events.begin() + static_cast<std::ptrdiff_t>(events_taken), events.end());
-    events_taken = events.size();
-    all_inputs.insert(all_inputs.end(), current.inputs.begin(), current.inputs.end());
-    const int next = current.seq + 1;
-    recorded.push_back(std::move(current));
-    current = {};
-    current.seq = next;
-    current.inputs.reserve(64 * 1024);
-    current.observed.reserve(16 * 1024);
+    if (recorder) recorder->close_second(step_number(), world, monitor.events());
   }
 
   void finish() {
@@ -88,30 +75,20 @@ struct TrialRun::Parts {
   sim::HandleInput last_input;
   double contact_peak = 0.0;
   double handle_peak = 0.0;
-  RecordedSecond current;
-  std::vector<RecordedSecond> recorded;
-  std::size_t events_taken = 0;
-  std::vector<std::byte> all_inputs;
-  std::vector<std::byte> state;
-  Hash last_state{};
+  std::optional<SecondRecorder> recorder;  // absent: nothing is written down
   assessment::RecordedTrial trial;
   bool finished = false;
 };
 
-TrialRun::TrialRun(std::shared_ptr<const Scene> scene, const curricula::Exercise& exercise)
-    : parts_(std::make_unique<Parts>(std::move(scene), exercise)) {}
+TrialRun::TrialRun(std::shared_ptr<const Scene> scene, const curricula::Exercise& exercise,
+                   Recording recording)
+    : parts_(std::make_unique<Parts>(std::move(scene), exercise, recording)) {}
 TrialRun::~TrialRun() = default;
 
 void TrialRun::step(const sim::HandleInput& input) {
   Parts& p = *parts_;
   if (p.finished) return;
-
-  // the hand starts at rest, so only a change has to be written down
-  if (input.feed != p.last_input.feed || input.turn != p.last_input.turn) {
-    write_input(p.current.inputs, {p.step_number() + 1, input});
-    p.last_input = input;
-  }
-
+  p.note_input(input);
   if (p.world.step(input) == sim::StepStatus::diverged) {
     p.monitor.end(assessment::EndReason::diverged, p.time());
     p.finish();
@@ -144,7 +121,7 @@ const sim::World& TrialRun::world() const { return parts_->world; }
 const ExerciseMonitor& TrialRun::monitor() const { return parts_->monitor; }
 
 std::vector<RecordedSecond> TrialRun::take_recorded() {
-  return std::exchange(parts_->recorded, {});
+  return parts_->recorder ? parts_->recorder->take() : std::vector<RecordedSecond>{};
 }
 
 assessment::RecordedTrial TrialRun::recorded_trial() const {
@@ -158,9 +135,13 @@ assessment::RecordedTrial TrialRun::recorded_trial() const {
   return trial;
 }
 
-std::string TrialRun::state_hash() const { return hex(parts_->last_state); }
+std::string TrialRun::state_hash() const {
+  return parts_->recorder ? parts_->recorder->state_hash() : std::string();
+}
 
-std::string TrialRun::input_sha256() const { return sha256_hex(parts_->all_inputs); }
+std::string TrialRun::input_sha256() const {
+  return parts_->recorder ? parts_->recorder->input_sha256() : std::string();
+}
 
 Judgement judge(const curricula::Exercise& exercise, const assessment::RecordedTrial& trial) {
   Judgement judgement;

@@ -1,5 +1,6 @@
-// One trial from the first step to the verdict: world, monitor and recording together. Knows no
-// clock, no socket and no database; live trials, simulated operators and replays all drive it.
+// One trial from the first step to the verdict: world and monitor together, and the recording where
+// one is wanted. Knows no clock, no socket and no database; live trials, practice, simulated
+// operators and replays all drive it.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,7 @@
 
 #include "app/session/exercise_monitor.h"
 #include "app/session/scene.h"
+#include "app/session/second_recorder.h"
 #include "assessment/metrics.h"
 #include "assessment/rule.h"
 #include "assessment/trial.h"
@@ -18,18 +20,13 @@
 
 namespace app {
 
-// The recording of one simulated second (the last one may be shorter).
-struct RecordedSecond {
-  int seq = 0;
-  std::vector<std::byte> inputs;    // codec "inputs/1"
-  std::vector<std::byte> observed;  // codec "observed/1"
-  std::vector<std::byte> hashes;    // codec "hashes/1"
-  std::vector<assessment::Event> events;
-};
+// Practice and rehearsals are judged like any trial and leave nothing behind.
+enum class Recording { written, none };
 
 class TrialRun {
  public:
-  TrialRun(std::shared_ptr<const Scene> scene, const curricula::Exercise& exercise);
+  TrialRun(std::shared_ptr<const Scene> scene, const curricula::Exercise& exercise,
+           Recording recording = Recording::written);
   ~TrialRun();
 
   // One step of the world, the monitor and the recording. No-op once ended.
@@ -41,11 +38,13 @@ class TrialRun {
   const sim::World& world() const;
   const ExerciseMonitor& monitor() const;
 
-  // Seconds recorded since the last call; the unfinished one only once the trial has ended.
+  // Seconds recorded since the last call; the unfinished one only once the trial has ended. None
+  // without a recording.
   std::vector<RecordedSecond> take_recorded();
 
   // After the end.
   assessment::RecordedTrial recorded_trial() const;
+  // Of a recorded run; empty without a recording.
   std::string state_hash() const;    // BLAKE2b-256 over the final state, hex
   std::string input_sha256() const;  // over all inputs, hex
 

@@ -50,6 +50,9 @@ constexpr Rule kRules[] = {
 
     // trials
     {"POST", "/api/trials", "TIA"},
+    {"POST", "/api/practice", "TIA"},
+    {"GET", "/api/practice/{id}/result", "TIA"},
+    {"GET", "/api/live", "TIA"},
     {"GET", "/api/live/mine", "TIA"},
     {"GET", "/api/live/{id}", "TIA", About::trial},
     {"GET", "/api/trials/{id}", "TIA", About::trial},

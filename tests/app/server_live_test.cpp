@@ -1,122 +1,18 @@
 // The live channel, with a real trial behind it.
 #include <chrono>
-#include <cstdint>
-#include <cstring>
-#include <functional>
 #include <memory>
-#include <optional>
+#include <set>
+#include <string>
 #include <thread>
-#include <utility>  // Boost 1.74 under C++20 needs it first
 
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
 
 #include "database/trials.h"
+#include "tests/app/live_channel.h"
 #include "tests/app/server_fixture.h"
 
 namespace app::test {
 namespace {
-
-namespace beast = boost::beast;
-namespace net = boost::asio;
-namespace websocket = beast::websocket;
-using tcp = net::ip::tcp;
-
-// Positions in a frame, from x-frame in app/wire/wire.schema.yaml.
-constexpr std::size_t kFlagsAt = 6, kStepAt = 12, kAxialAt = 44;
-constexpr std::uint32_t kMagic = 0x46544143;
-constexpr unsigned kPaused = 1;
-
-template <class T>
-T read_at(const std::string& bytes, std::size_t at) {
-  T value{};
-  std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
-}
-
-// A browser's end of the channel.
-class Channel {
- public:
-  // The status of the handshake: 101 when it is open.
-  int open(std::uint16_t port, const std::string& trial, const std::string& cookie) {
-    socket_.next_layer().connect({net::ip::address_v4::loopback(), port});
-    const timeval limit{20, 0};
-    setsockopt(socket_.next_layer().native_handle(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
-    const std::string host = "127.0.0.1:" + std::to_string(port);
-    socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
-      request.set(beast::http::field::origin, "http://" + host);
-      request.set(beast::http::field::cookie, cookie);
-    }));
-    websocket::response_type answer;
-    beast::error_code failed;
-    socket_.handshake(answer, host, "/api/live/" + trial, failed);
-    return answer.result_int();
-  }
-
-  void send(const std::string& text) {
-    socket_.text(true);
-    beast::error_code ignored;  // a closed channel shows when reading
-    socket_.write(net::buffer(text), ignored);
-  }
-  void send(const nlohmann::json& message) { send(message.dump()); }
-
-  // The next message, frame or notice; nothing when the channel is closed.
-  std::optional<std::string> next() {
-    beast::flat_buffer buffer;
-    beast::error_code failed;
-    socket_.read(buffer, failed);
-    if (failed) return std::nullopt;
-    return beast::buffers_to_string(buffer.data());
-  }
-  bool got_frame() const { return socket_.got_binary(); }
-
-  std::string frame() {
-    for (auto message = next(); message; message = next()) {
-      if (got_frame()) return *message;
-    }
-    return {};
-  }
-  // The first frame that fulfils the condition; empty when the channel closes before or it takes
-  // more than ten seconds.
-  std::string frame_where(const std::function<bool(const std::string&)>& wanted) {
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (std::chrono::steady_clock::now() < until) {
-      std::string frame = this->frame();
-      if (frame.empty() || wanted(frame)) return frame;
-    }
-    return {};
-  }
-  nlohmann::json notice() {
-    for (auto message = next(); message; message = next()) {
-      if (!got_frame()) return nlohmann::json::parse(*message);
-    }
-    return nullptr;
-  }
-  bool closes() {
-    while (next()) {
-    }
-    return true;
-  }
-
-  void close() {
-    beast::error_code ignored;
-    socket_.close(websocket::close_code::normal, ignored);
-  }
-  // As when the cable is pulled, but told by the operating system.
-  void drop() { socket_.next_layer().close(); }
-
- private:
-  net::io_context io_;
-  websocket::stream<tcp::socket> socket_{io_};
-};
-
-bool is_paused(const std::string& frame) {
-  return (read_at<std::uint16_t>(frame, kFlagsAt) & kPaused) != 0;
-}
 
 // One server for all: its vessel takes a while to build. Two trainees share the tests, because the
 // curriculum allows ten trials a day.
@@ -339,6 +235,63 @@ TEST_F(Live, TheInstructorWatchesButDoesNotSteer) {
   ASSERT_EQ(own.open(port(), trial_, client_.cookie), 101);
   own.send({{"type", "resume"}});
   EXPECT_FALSE(own.frame_where([](const std::string& f) { return !is_paused(f); }).empty());
+}
+
+TEST_F(Live, AWatcherWhoTriesToSteerAndLeavesDisturbsNothing) {
+  begin();
+  Channel own;
+  ASSERT_EQ(own.open(port(), trial_, client_.cookie), 101);
+  own.send({{"type", "resume"}});
+  ASSERT_FALSE(own.frame_where([](const std::string& f) { return !is_paused(f); }).empty());
+  {
+    Channel watcher;
+    ASSERT_EQ(watcher.open(port(), trial_, running_->client_of("ina").cookie), 101);
+    watcher.send({{"type", "handle"}, {"feed_mm_s", 50.0}, {"turn_deg_s", 0.0}});
+    for (const char* control : {"pause", "resume", "end"}) {
+      watcher.send({{"type", control}});
+      EXPECT_EQ(watcher.notice()["type"], "error") << control;
+    }
+    watcher.drop();
+  }
+  const auto step = read_at<std::uint32_t>(own.frame(), kStepAt);
+  const std::string later = own.frame_where([&](const std::string& frame) {
+    return is_paused(frame) || read_at<std::uint32_t>(frame, kStepAt) > step + 500;
+  });
+  ASSERT_FALSE(later.empty());
+  EXPECT_FALSE(is_paused(later));
+  EXPECT_EQ(read_at<float>(later, kAxialAt), 0.0F);  // the watcher's hand moved nothing
+}
+
+TEST_F(Live, TheListOfRunningTrialsShowsThoseOneMayWatch) {
+  begin();
+  Client ben = running_->client_of("ben");
+  const Answer second =
+      ben.post("/api/trials", {{"exercise_id", "rotational"}, {"device", "gamepad"}});
+  ASSERT_EQ(second.status, 201) << second.body;
+  const std::string of_ben = second.json()["trial_id"];
+  const auto ids = [](Client client) {
+    std::set<std::string> found;
+    const nlohmann::json body = client.get("/api/live").json();
+    for (const auto& trial : body["trials"]) found.insert(trial["trial_id"]);
+    return found;
+  };
+  EXPECT_EQ(ids(running_->client_of("ina")), (std::set<std::string>{trial_}));
+  EXPECT_EQ(ids(running_->client_of("ada")), (std::set<std::string>{trial_, of_ben}));
+  EXPECT_EQ(ids(client_), (std::set<std::string>{trial_}));
+  EXPECT_EQ(ids(ben), (std::set<std::string>{of_ben}));
+
+  const nlohmann::json body = ben.get("/api/live").json();
+  const nlohmann::json& row = body["trials"][0];
+  EXPECT_EQ(row["person_name"], "The ben");
+  EXPECT_EQ(row["exercise_id"], "rotational");
+  EXPECT_EQ(row["device"], "gamepad");
+  EXPECT_EQ(row["paused"], true);
+  EXPECT_EQ(row["briefing"]["exercise_id"], "rotational");
+  Channel channel;
+  ASSERT_EQ(channel.open(port(), of_ben, ben.cookie), 101);
+  channel.send({{"type", "end"}});
+  EXPECT_EQ(channel.notice()["type"], "filed");
+  EXPECT_TRUE(ids(ben).empty());
 }
 
 TEST(LiveServer, StoppingTheServerFilesTheRunningTrial) {

@@ -33,7 +33,8 @@ class LiveTrialTest : public ::testing::Test {
     head.exercise_id = bench.exercise().id;
     id = checked(begin(*bench.store, head, *bench.scene)).trial_id;
     trial = std::make_unique<LiveTrial>(
-        LiveTrialSetup{id, head.person_id, bench.scene, bench.exercise(), bench.folder.url()});
+        LiveTrialSetup{id, head.person_id, bench.scene, bench.exercise(),
+                       std::make_unique<FilingKeeper>(bench.folder.url(), id)});
   }
 
   std::vector<std::byte> newest() {
@@ -113,7 +114,30 @@ TEST_F(LiveTrialTest, SaysWhenItCannotBeFiled) {
   trial->resume();
   ASSERT_TRUE(comes([&] { return !trial->failure().empty(); }));
   ASSERT_TRUE(comes([&] { return trial->ended(); }));  // it does not go on as if it counted
-  EXPECT_FALSE(trial->filed());
+  EXPECT_FALSE(trial->finished());
+}
+
+TEST_F(LiveTrialTest, PracticeIsJudgedAndLeavesNothing) {
+  const auto contents = [&] {
+    database_test::RawFile file(bench.folder.file("store.db"));
+    return file.value(
+        "SELECT (SELECT count(*) FROM trial) || ' ' || (SELECT count(*) FROM "
+        "trace_chunk) || ' ' || (SELECT count(*) FROM audit)");
+  };
+  const std::string before = contents();
+  trial = std::make_unique<LiveTrial>(LiveTrialSetup{
+      "practice", "somebody", bench.scene, bench.exercise(), std::make_unique<PracticeKeeper>()});
+  trial->resume();
+  trial->command({.feed = 15.0});
+  ASSERT_TRUE(comes([&] { return step() > 1200; }));
+  trial->abort();
+  ASSERT_TRUE(comes([&] { return trial->finished(); }));
+  EXPECT_EQ(trial->result().end_reason, assessment::EndReason::aborted);
+  EXPECT_EQ(trial->result().judgement.verdict.outcome, assessment::Outcome::invalid);
+  EXPECT_FALSE(trial->result().judgement.metrics.empty());
+  // the page goes to a debrief when a frame says that it is filed
+  EXPECT_EQ(read_at<std::uint16_t>(newest(), at::kFlagsAt) & wire::kFlagFiled, 0);
+  EXPECT_EQ(contents(), before);
 }
 
 }  // namespace

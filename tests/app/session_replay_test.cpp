@@ -136,6 +136,23 @@ TEST_F(Replay, ConfirmsWhatACutOffTrialLeft) {
   EXPECT_EQ(verify(begun.trial_id).chunk, "inputs 1");
 }
 
+TEST_F(Replay, WithoutARecordingTheSameHandIsJudgedTheSame) {
+  const auto judged = [&](Recording recording) {
+    SimulatedOperator hand(*find_skill("expert"), 7, 1);
+    TrialRun run(bench.scene, bench.exercise(), recording);
+    while (!run.ended()) run.step(hand.next(run.world().observation(), run.monitor()));
+    EXPECT_EQ(run.take_recorded().empty(), recording == Recording::none);
+    EXPECT_EQ(run.state_hash().empty(), recording == Recording::none);
+    return judge(bench.exercise(), run.recorded_trial());
+  };
+  const Judgement recorded = judged(Recording::written), practice = judged(Recording::none);
+  EXPECT_EQ(practice.verdict.sentence, recorded.verdict.sentence);
+  ASSERT_EQ(practice.metrics.size(), recorded.metrics.size());
+  for (std::size_t i = 0; i < recorded.metrics.size(); ++i) {
+    EXPECT_EQ(practice.metrics[i].value, recorded.metrics[i].value) << recorded.metrics[i].id;
+  }
+}
+
 TEST_F(Replay, SaysWhenThereIsNothingToReplay) {
   const auto unknown = verify_trial(*bench.store, "nobody", bench.scenes, {});
   ASSERT_FALSE(unknown);

@@ -24,8 +24,11 @@ base::Result<Response> put_settings(Call& call);
 base::Result<Response> post_password(Call& call);
 
 base::Result<Response> post_trial(Call& call);
-base::Result<Response> get_live_mine(Call& call);
 base::Result<Response> get_trial(Call& call);
+base::Result<Response> post_practice(Call& call);
+base::Result<Response> get_practice_result(Call& call);
+base::Result<Response> get_live(Call& call);
+base::Result<Response> get_live_mine(Call& call);
 
 base::Result<Response> get_people(Call& call);
 base::Result<Response> get_person(Call& call);

@@ -40,8 +40,11 @@ std::span<const Route> routes() {
 
       // trials
       {post, "/api/trials", trains(), post_trial, kSlow},
+      {post, "/api/practice", trains(), post_practice, kSlow},
+      {get, "/api/practice/{id}/result", trains().about(Subject::practice), get_practice_result},
+      {get, "/api/live", trains(), get_live},
       {get, "/api/live/mine", trains(), get_live_mine},
-      {get, "/api/live/{id}", trains().about(Subject::trial), nullptr, kQuick, true},
+      {get, "/api/live/{id}", trains().about(Subject::live_trial), nullptr, kQuick, true},
       {get, "/api/trials/{id}", trains().about(Subject::trial), get_trial},
 
       // people

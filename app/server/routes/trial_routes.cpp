@@ -1,60 +1,20 @@
-// Beginning a trial, finding the one that runs, and reading what came of one.
-#include <algorithm>
-#include <cctype>
-
+// Beginning a trial, and reading what came of one.
 #include <nlohmann/json.hpp>
 
+#include "app/server/begun_trial.h"
 #include "app/server/json_body.h"
 #include "app/server/routes/handlers.h"
 #include "app/server/site.h"
 #include "app/server/training_record.h"
-#include "app/server/views/briefing_view.h"
 #include "app/server/views/trial_view.h"
 #include "app/server/views/words.h"
 #include "app/session/trial_file.h"
+#include "app/session/trial_keeper.h"
 
 namespace app {
 namespace {
 
 using nlohmann::json;
-
-base::Status check_device(const std::string& device) {
-  const bool plain = std::all_of(device.begin(), device.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '+' || c == ' ' || c == '.';
-  });
-  if (!device.empty() && device.size() <= 64 && plain) return base::Done{};
-  return base::Error{base::ErrorCode::invalid_input,
-                     "Name the device by 1 to 64 letters, digits, blanks and hyphens."};
-}
-
-// Holds the person's place among the live trials while one is being prepared.
-class Reservation {
- public:
-  Reservation(LiveTrials& live, std::string person_id)
-      : live_(live), person_id_(std::move(person_id)) {}
-  ~Reservation() { live_.release(person_id_); }
-  Reservation(const Reservation&) = delete;
-  Reservation& operator=(const Reservation&) = delete;
-
- private:
-  LiveTrials& live_;
-  std::string person_id_;
-};
-
-base::Result<json> begun_json(Call& call, const RunningTrial& trial) {
-  const auto record = training_record(call.store, call.site, call.me().person.id);
-  if (!record) return record.error();
-  const curricula::Exercise* exercise = record->curriculum->find(trial.exercise_id);
-  const curricula::ExerciseState* state = record->progression.find(trial.exercise_id);
-  if (exercise == nullptr || state == nullptr) {
-    return base::Error{base::ErrorCode::not_found,
-                       "The exercise of your running trial is no longer in the curriculum."};
-  }
-  return json{{"trial_id", trial.trial_id},
-              {"ordinal", trial.ordinal},
-              {"briefing",
-               briefing_json(*record->curriculum, *exercise, *state, call.site.scenes.library())}};
-}
 
 base::Result<RunningTrial> start_trial(Call& call, const curricula::Curriculum& curriculum,
                                        const curricula::Exercise& exercise,
@@ -71,9 +31,11 @@ base::Result<RunningTrial> start_trial(Call& call, const curricula::Curriculum& 
   const auto begun = begin(call.store, head, **scene);
   if (!begun) return begun.error();
 
-  const RunningTrial running{begun->trial_id, person_id, exercise.id, begun->ordinal};
+  const RunningTrial running{begun->trial_id, person_id, exercise.id,        begun->ordinal,
+                             false,           device,    database::utc_now()};
   const auto started = call.site.live.start(
-      running, {begun->trial_id, person_id, *scene, exercise, call.site.options.database_url});
+      running, {begun->trial_id, person_id, *scene, exercise,
+                std::make_unique<FilingKeeper>(call.site.options.database_url, begun->trial_id)});
   if (!started) return started.error();
   return running;
 }
@@ -106,17 +68,9 @@ base::Result<Response> post_trial(Call& call) {
   const auto running =
       start_trial(call, *record->curriculum, *record->curriculum->find(exercise_id), device);
   if (!running) return running.error();
-  const auto begun = begun_json(call, *running);
+  const auto begun = begun_json(*record, call.site, *running);
   if (!begun) return begun.error();
   return json_response(*begun, 201);
-}
-
-base::Result<Response> get_live_mine(Call& call) {
-  const auto running = call.site.live.of_person(call.me().person.id);
-  if (!running) return json_response({{"trial", nullptr}});
-  const auto begun = begun_json(call, *running);
-  if (!begun) return begun.error();
-  return json_response({{"trial", *begun}});
 }
 
 base::Result<Response> get_trial(Call& call) {

@@ -102,8 +102,8 @@ std::string pong_notice(double sent_ms) {
   return json{{"type", "pong"}, {"sent_ms", sent_ms}}.dump();
 }
 
-std::string filed_notice(const std::string& trial_id) {
-  return json{{"type", "filed"}, {"trial_id", trial_id}}.dump();
+std::string finished_notice(const std::string& trial_id, bool practice) {
+  return json{{"type", practice ? "practice_ended" : "filed"}, {"trial_id", trial_id}}.dump();
 }
 
 }  // namespace app

@@ -21,6 +21,6 @@ base::Result<ClientMessage> read_client_message(const std::string& text);
 std::string error_notice(const std::string& message);
 std::string second_tab_notice();
 std::string pong_notice(double sent_ms);
-std::string filed_notice(const std::string& trial_id);
+std::string finished_notice(const std::string& trial_id, bool practice);
 
 }  // namespace app

@@ -34,23 +34,6 @@ json criterion_json(const assessment::Criterion& criterion) {
           {"note", criterion.value ? "" : "This trial has no such value."}};
 }
 
-json metrics_json(const database::StoredTrial& trial) {
-  json list = json::array();
-  for (const assessment::MetricDefinition& metric : assessment::metric_definitions()) {
-    const auto value = metric_value(trial, std::string(metric.id));
-    if (!value) continue;
-    const bool lower = metric.direction == assessment::Direction::lower_is_better;
-    list.push_back({{"id", metric.id},
-                    {"version", metric.version},
-                    {"title", metric.title},
-                    {"value", *value},
-                    {"unit", metric.unit},
-                    {"direction", lower ? "lower" : "higher"},
-                    {"definition", metric.definition}});
-  }
-  return list;
-}
-
 json events_json(const std::vector<assessment::Event>& events,
                  const std::vector<curricula::Step>& steps) {
   json list = json::array();
@@ -106,6 +89,30 @@ base::Result<assessment::Verdict> verdict_of(database::Store& store,
 
 }  // namespace
 
+json criteria_json(const std::vector<assessment::Criterion>& criteria) {
+  json list = json::array();
+  for (const assessment::Criterion& criterion : criteria) list.push_back(criterion_json(criterion));
+  return list;
+}
+
+json metrics_json(const std::vector<assessment::MetricValue>& metrics) {
+  json list = json::array();
+  for (const assessment::MetricDefinition& metric : assessment::metric_definitions()) {
+    const auto value = std::find_if(metrics.begin(), metrics.end(),
+                                    [&](const auto& each) { return each.id == metric.id; });
+    if (value == metrics.end()) continue;
+    const bool lower = metric.direction == assessment::Direction::lower_is_better;
+    list.push_back({{"id", metric.id},
+                    {"version", metric.version},
+                    {"title", metric.title},
+                    {"value", value->value},
+                    {"unit", metric.unit},
+                    {"direction", lower ? "lower" : "higher"},
+                    {"definition", metric.definition}});
+  }
+  return list;
+}
+
 base::Result<json> trial_row_json(database::Store& store, const database::StoredTrial& trial,
                                   const curricula::Exercise* exercise) {
   const auto events = database::trial_events(store, trial.head.id);
@@ -158,10 +165,6 @@ base::Result<json> debrief_json(database::Store& store, const database::StoredTr
   auto charts = charts_json(store, trial, exercise, steps);
   if (!charts) return charts.error();
 
-  json criteria = json::array();
-  for (const assessment::Criterion& criterion : verdict->criteria) {
-    criteria.push_back(criterion_json(criterion));
-  }
   const bool judged = exercise != nullptr && exercise->pass.has_value() && !is_published(trial);
   return json{{"trial", *std::move(row)},
               {"person_name", trial.person_name},
@@ -170,8 +173,8 @@ base::Result<json> debrief_json(database::Store& store, const database::StoredTr
               {"exercise_version", exercise == nullptr ? 1 : exercise->version},
               {"rule_sentence", judged ? rule_sentence(*exercise->pass) : "Not judged by a rule."},
               {"verdict_sentence", verdict->sentence},
-              {"criteria", criteria},
-              {"metrics", metrics_json(trial)},
+              {"criteria", criteria_json(verdict->criteria)},
+              {"metrics", metrics_json(trial.metrics)},
               {"events", events_json(*events, steps)},
               {"charts", *std::move(charts)},
               {"build", trial.head.build},

@@ -26,6 +26,10 @@ base::Result<nlohmann::json> trial_rows_json(
     database::Store& store, const std::vector<const database::StoredTrial*>& trials,
     const curricula::Exercise* exercise);
 
+// What a trial was judged by, and what was measured in it.
+nlohmann::json criteria_json(const std::vector<assessment::Criterion>& criteria);
+nlohmann::json metrics_json(const std::vector<assessment::MetricValue>& metrics);
+
 // All of the debrief but the progress of the person. `exercise`: the version the trial was made
 // under, or null when the trial was not made here.
 base::Result<nlohmann::json> debrief_json(database::Store& store,
