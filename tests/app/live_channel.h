@@ -38,7 +38,7 @@ T read_at(const std::string& bytes, std::size_t at) {
 // A browser's end of the channel.
 class Channel {
  public:
-  // The status of the handshake: 101 when it is open.
+  // 101 when it is open; anything else when it was refused.
   int open(std::uint16_t port, const std::string& trial, const std::string& cookie) {
     socket_.next_layer().connect({net::ip::address_v4::loopback(), port});
     const timeval limit{20, 0};

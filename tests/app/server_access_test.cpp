@@ -51,7 +51,7 @@ constexpr Rule kRules[] = {
     // trials
     {"POST", "/api/trials", "TIA"},
     {"POST", "/api/practice", "TIA"},
-    {"GET", "/api/practice/{id}/result", "TIA"},
+    {"GET", "/api/practice/{id}/result", "TIA", About::thing},
     {"GET", "/api/live", "TIA"},
     {"GET", "/api/live/mine", "TIA"},
     {"GET", "/api/live/{id}", "TIA", About::trial},

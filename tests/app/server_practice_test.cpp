@@ -100,7 +100,8 @@ TEST_F(Practice, IsSeenByNobodyElseNotEvenByTheInstructor) {
   begin();
   const auto watch = [&](const char* name) {
     Channel channel;
-    return channel.open(port(), id_, running_->client_of(name).cookie);
+    EXPECT_NE(channel.open(port(), id_, running_->client_of(name).cookie), 101);
+    return running_->client_of(name).get("/api/live/" + id_).status;
   };
   EXPECT_EQ(watch("ina"), 403);
   EXPECT_EQ(watch("ada"), 403);
