@@ -1,7 +1,7 @@
 import reactHooks from 'eslint-plugin-react-hooks';
 import tseslint from 'typescript-eslint';
 
-// Imports only go downwards: wire is the floor, then parts, then console, then pages, then app.
+// Imports only go downwards: wire is the floor, then parts, then console, then curriculum, then pages, then app.
 const layer = (folder, above) => ({
   files: [`src/${folder}/**/*.{ts,tsx}`],
   rules: {
@@ -18,8 +18,9 @@ export default tseslint.config(
   {ignores: ['dist', 'node_modules']},
   tseslint.configs.strict,
   reactHooks.configs.flat['recommended-latest'],
-  layer('wire', ['parts', 'pages', 'console', 'app']),
-  layer('parts', ['pages', 'console', 'app']),
+  layer('wire', ['parts', 'pages', 'console', 'curriculum', 'app']),
+  layer('parts', ['pages', 'console', 'curriculum', 'app']),
   layer('pages', ['app']),
-  layer('console', ['pages', 'app']),
+  layer('console', ['pages', 'curriculum', 'app']),
+  layer('curriculum', ['pages', 'app']),
 );

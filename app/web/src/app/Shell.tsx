@@ -10,10 +10,12 @@ interface Props {
   demo: boolean;
   onSignedOut: () => void;
   children: ReactNode;
+  /** The page fills the window and scrolls by itself. */
+  wide?: boolean;
 }
 
 /** Bar, demo banner and page of every desk view. */
-export function Shell({demo, onSignedOut, children}: Props) {
+export function Shell({demo, onSignedOut, children, wide = false}: Props) {
   const {api, session} = useSignedIn();
   const [location] = useLocation();
   const entries = navigationOf(session.role);
@@ -22,7 +24,7 @@ export function Shell({demo, onSignedOut, children}: Props) {
   const sectionOf = (path: string) => location === path || location.startsWith(`${path}/`);
   const inTraining = location.startsWith('/exercises/') || location.startsWith('/trials/');
   return (
-    <>
+    <div className={wide ? styles.window : undefined}>
       <a className={styles.skip} href="#content">Skip to content</a>
       {demo && <DemoBanner />}
       <header className={styles.bar}>
@@ -45,8 +47,8 @@ export function Shell({demo, onSignedOut, children}: Props) {
           <button type="button" className={styles.out} onClick={signOut}>Sign out</button>
         </div>
       </header>
-      <main id="content" className="page" tabIndex={-1}>{children}</main>
-    </>
+      <main id="content" className={wide ? styles.fill : 'page'} tabIndex={-1}>{children}</main>
+    </div>
   );
 }
 

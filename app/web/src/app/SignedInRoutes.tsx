@@ -7,6 +7,8 @@ import {navigationOf} from '../parts/paths';
 import {Briefing} from '../pages/Briefing';
 import {Cohort} from '../pages/cohort/Cohort';
 import {Compare} from '../pages/Compare';
+import {Curricula} from '../pages/Curricula';
+import {CurriculumDiff} from '../pages/CurriculumDiff';
 import {Controls} from '../pages/Controls';
 import {Debrief} from '../pages/Debrief';
 import {Help} from '../pages/Help';
@@ -23,6 +25,8 @@ import styles from './shell.module.css';
 
 // three.js comes with the console only
 const ConsolePage = lazy(() => import('../console/ConsolePage'));
+// the text editor comes with the curriculum only
+const CurriculumPage = lazy(() => import('../pages/CurriculumPage'));
 
 interface Props {
   demo: boolean;
@@ -52,6 +56,15 @@ export function SignedInRoutes({demo, version, onSignedOut}: Props) {
       <Route path="/people">{desk(<People />)}</Route>
       {session.role === 'administrator' && <Route path="/people/import">{desk(<ImportPeople />)}</Route>}
       <Route path="/people/:id">{({id}) => desk(<Person personId={decodeURIComponent(id)} />)}</Route>
+      <Route path="/curricula">{desk(<Curricula />)}</Route>
+      <Route path="/curricula/:id/diff">{({id}) => desk(<CurriculumDiff id={decodeURIComponent(id)} />)}</Route>
+      <Route path="/curricula/:id">
+        {({id}) => (
+          <Shell demo={demo} onSignedOut={onSignedOut} wide>
+            <Suspense fallback={<div className="page"><Loading what="the editor" /></div>}><CurriculumPage id={decodeURIComponent(id)} key={id} /></Suspense>
+          </Shell>
+        )}
+      </Route>
       <Route path="/instruments">{desk(<Instruments />)}</Route>
       <Route path="/system">{desk(<System />)}</Route>
       <Route path="/compare">{desk(<Compare />)}</Route>
