@@ -141,6 +141,7 @@ export function Editor({draft, row, catalogue, onPublished}: Props) {
       </div>
       <div className={styles.views} data-shown={shown}>
         <section className={styles.formSide} aria-label="Form">
+          <h2 className="visually-hidden">Form</h2>
           <CurriculumForm desk={form} stop={source.stop} place={place} onPlace={setPlace} onGoToLine={(line) => {
             setShown('text');
             desk.show(desk.view.state.doc.line(Math.min(line, desk.view.state.doc.lines)).from, true);

@@ -47,7 +47,7 @@ export class TextDesk {
             {key: 'Mod-.', run: () => this.repairAtCaret()}, ...defaultKeymap, ...historyKeymap, ...foldKeymap,
             ...(readOnly ? [] : [indentWithTab]),
           ]),
-          EditorView.contentAttributes.of({'aria-label': label, 'aria-describedby': 'text-keys', 'spellcheck': 'false'}),
+          EditorView.contentAttributes.of({'aria-label': label, 'aria-describedby': 'text-keys', 'spellcheck': 'false', 'tabindex': '0'}),
           nonce === '' ? [] : EditorView.cspNonce.of(nonce),
           EditorView.updateListener.of(({transactions}) => this.follow(transactions)),
         ],
