@@ -150,7 +150,7 @@ function Requires({path, others}: {path: Path; others: readonly string[]}) {
       <div className={styles.sectionHead}>
         <h3>Opens when proficient in</h3>
         {free.length > 0 && (
-          <NativeSelect className="aside" size="xs" aria-label="Add a prerequisite" value="" disabled={form.frozen}
+          <NativeSelect className={styles.aside} size="xs" aria-label="Add a prerequisite" value="" disabled={form.frozen}
             data={[{value: '', label: 'Add'}, ...free]}
             onChange={(event) => {
               const id = event.currentTarget.value;

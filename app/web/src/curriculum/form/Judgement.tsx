@@ -33,7 +33,7 @@ export function Limits({exercise}: {exercise: Path}) {
     <section className={styles.section} aria-label="Limits">
       <div className={styles.sectionHead}>
         <h3>Limits</h3><span className="xs faint">training values, not clinical</span>
-        <span className="aside"><button type="button" className={styles.add} disabled={form.frozen} onClick={add}>Add limit</button></span>
+        <span className={styles.aside}><button type="button" className={styles.add} disabled={form.frozen} onClick={add}>Add limit</button></span>
       </div>
       <div className={styles.rows}>
         {limits.map((limit, index) => (
@@ -118,7 +118,7 @@ function SimpleRule({path, at}: {path: Path; at: 'all' | 'any'}) {
           onChange={(event) => { const next = event.currentTarget.value; form.edit((source) => renameKey(source, path, at, next)); }}>
           <option value="all">all hold</option><option value="any">any one holds</option>
         </select>
-        <span className="aside"><button type="button" className={styles.add} disabled={form.frozen} onClick={add}>Add criterion</button></span>
+        <span className={styles.aside}><button type="button" className={styles.add} disabled={form.frozen} onClick={add}>Add criterion</button></span>
       </div>
       <div className={styles.rows}>
         {criteria.map((criterion, index) => <Criterion key={index} list={list} index={index} count={criteria.length} criterion={criterion} />)}

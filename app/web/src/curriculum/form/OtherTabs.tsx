@@ -47,7 +47,7 @@ function Authors() {
     <div className={styles.section}>
       <div className={styles.sectionHead}>
         <h3>Authors</h3>
-        <span className="aside"><button type="button" className={styles.add} disabled={form.frozen}
+        <span className={styles.aside}><button type="button" className={styles.add} disabled={form.frozen}
           onClick={() => form.edit((source) => insertItem(source, ['authors'], authors.length, 'New author', orders.curriculum))}>Add author</button></span>
       </div>
       {authors.map((_, index) => (
@@ -77,7 +77,7 @@ export function BenchmarksTab() {
     <>
       <div className={styles.sectionHead}>
         <p className="small muted">Values that pass rules name. Provisional until five local experts have recorded trials.</p>
-        <span className="aside"><button type="button" className={styles.add} disabled={form.frozen} onClick={add}>Add benchmark</button></span>
+        <span className={styles.aside}><button type="button" className={styles.add} disabled={form.frozen} onClick={add}>Add benchmark</button></span>
       </div>
       {ids.length === 0 && <p className="small faint">None yet.</p>}
       {ids.map((id) => <Benchmark key={id} id={id} />)}
@@ -131,7 +131,7 @@ export function PlanTab() {
     <>
       <div className={styles.sectionHead}>
         <p className="small muted">{free.length === 0 ? 'Every exercise is in a block.' : `In no block yet: ${free.join(', ')}.`}</p>
-        <span className="aside"><button type="button" className={styles.add} disabled={form.frozen || free.length === 0} onClick={add}>Add block</button></span>
+        <span className={styles.aside}><button type="button" className={styles.add} disabled={form.frozen || free.length === 0} onClick={add}>Add block</button></span>
       </div>
       <Sentences marks={useMarks(['plan']).filter((one) => one.path.length === 1)} />
       {blocks.map((_, index) => <Block key={index} index={index} count={blocks.length} ids={ids} free={free} />)}
@@ -190,7 +190,7 @@ export function CompletionTab() {
       <section className={styles.section} aria-label="Retention test">
         <div className={styles.sectionHead}>
           <h3>Retention test</h3>
-          <span className="aside"><button type="button" className={styles.add} disabled={form.frozen} onClick={toggle}>{has ? 'Take it out' : 'Add one'}</button></span>
+          <span className={styles.aside}><button type="button" className={styles.add} disabled={form.frozen} onClick={toggle}>{has ? 'Take it out' : 'Add one'}</button></span>
         </div>
         {!has && <p className="small faint">None.</p>}
         {has && (

@@ -37,7 +37,7 @@ export function Steps({exercise}: {exercise: Path}) {
     <section className={styles.section} aria-label="Steps">
       <div className={styles.sectionHead}>
         <h3>Steps</h3>
-        <span className="aside">
+        <span className={styles.aside}>
           <AddStep exercise={exercise} list={list} />
           <button type="button" className={styles.add} disabled={form.frozen} onClick={addRepeat}>Add repeat</button>
         </span>
