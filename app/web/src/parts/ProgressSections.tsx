@@ -23,6 +23,9 @@ export function ProgressSections({exercises, own}: {exercises: ExerciseProgress[
 
 function Section({exercise, own}: {exercise: ExerciseProgress; own: boolean}) {
   const heading = `progress-${exercise.exercise_id}`;
+  // a server of the version before sends neither
+  const standings = exercise.standings ?? [];
+  const multiples = exercise.small_multiples ?? [];
   const judged = exercise.trials.some((trial) => trial.source !== 'published-data');
   return (
     <section className={`panel ${styles.section}`} aria-labelledby={heading}>
@@ -43,16 +46,16 @@ function Section({exercise, own}: {exercise: ExerciseProgress; own: boolean}) {
           <>
             {judged && <div className="panel-body"><TrialSummary trials={exercise.trials} /></div>}
             <div className={styles.charts}>{exercise.charts.map((chart) => <ChartView key={chart.id} chart={chart} />)}</div>
-            {exercise.standings.length > 0 && (
+            {standings.length > 0 && (
               <div className="panel-body">
                 <h3>Last trial beside the others</h3>
-                <Standings standings={exercise.standings} caption={`Last, previous and best of ${exercise.title}`} />
+                <Standings standings={standings} caption={`Last, previous and best of ${exercise.title}`} />
               </div>
             )}
-            {exercise.small_multiples.length > 0 && (
+            {multiples.length > 0 && (
               <>
                 <h3 className={styles.over}>Every recorded metric, trial by trial</h3>
-                <SmallMultiples charts={exercise.small_multiples} />
+                <SmallMultiples charts={multiples} />
               </>
             )}
             <div className="panel-body">
