@@ -17,7 +17,12 @@ export function Help({version}: {version: string}) {
         <span className="muted">Cathedra {version}</span>
       </div>
       <div className={styles.columns}>
-        {session.role === 'trainee' ? <ForTrainees /> : <ForInstructors />}
+        {session.role === 'trainee' ? <ForTrainees /> : (
+          <div className="stack">
+            {session.role === 'administrator' && <ForAdministrators />}
+            <ForInstructors />
+          </div>
+        )}
         <div className="stack">
           <Panel title="What the states mean">
             <dl className={styles.states}>
@@ -56,6 +61,21 @@ function ForTrainees() {
         <li><span className="strong">A second window</span> cannot steer: go on in the first one, or close it and try again in the second.</li>
         <li><span className="strong">The debrief</span> gives the verdict, the rule it came from, and what to do next.</li>
         <li><span className="strong">My progress</span> keeps every trial and your learning curve.</li>
+      </ol>
+    </Panel>
+  );
+}
+
+function ForAdministrators() {
+  return (
+    <Panel title="Accounts">
+      <ol className={styles.list}>
+        <li><span className="strong">Invite a person</span> on People makes a link, shown once. Who opens it sets the own password.</li>
+        <li><span className="strong">Import from CSV</span> shows row by row what would happen; broken rows are named and can be left out.</li>
+        <li>
+          <span className="strong">A name</span> opens the account: groups, experience with its dates, curriculum, a new link for a
+          forgotten password. Disable ends the sessions and deletes nothing.
+        </li>
       </ol>
     </Panel>
   );
