@@ -56,6 +56,9 @@ constexpr Rule kRules[] = {
     {"GET", "/api/live/mine", "TIA"},
     {"GET", "/api/live/{id}", "TIA", About::trial},
     {"GET", "/api/trials/{id}", "TIA", About::trial},
+    {"POST", "/api/trials/{id}/comments", "IA", About::trial},
+    {"DELETE", "/api/trials/{id}/comments/{comment}", "IA", About::trial},
+    {"POST", "/api/trials/{id}/void", "IA", About::trial},
 
     // people
     {"GET", "/api/people", "IA"},

@@ -25,6 +25,9 @@ base::Result<Response> post_password(Call& call);
 
 base::Result<Response> post_trial(Call& call);
 base::Result<Response> get_trial(Call& call);
+base::Result<Response> post_comment(Call& call);
+base::Result<Response> delete_comment(Call& call);
+base::Result<Response> post_void(Call& call);
 base::Result<Response> post_practice(Call& call);
 base::Result<Response> get_practice_result(Call& call);
 base::Result<Response> get_live(Call& call);

@@ -46,6 +46,10 @@ std::span<const Route> routes() {
       {get, "/api/live/mine", trains(), get_live_mine},
       {get, "/api/live/{id}", trains().about(Subject::live_trial), nullptr, kQuick, true},
       {get, "/api/trials/{id}", trains().about(Subject::trial), get_trial},
+      {post, "/api/trials/{id}/comments", teaches().about(Subject::trial), post_comment},
+      {remove, "/api/trials/{id}/comments/{comment}", teaches().about(Subject::trial),
+       delete_comment},
+      {post, "/api/trials/{id}/void", teaches().about(Subject::trial), post_void},
 
       // people
       {get, "/api/people", teaches(), get_people},

@@ -1,15 +1,18 @@
 // Beginning a trial, and reading what came of one.
 #include <nlohmann/json.hpp>
 
+#include "app/server/actor_names.h"
 #include "app/server/begun_trial.h"
 #include "app/server/json_body.h"
 #include "app/server/routes/handlers.h"
 #include "app/server/site.h"
 #include "app/server/training_record.h"
+#include "app/server/views/comment_view.h"
 #include "app/server/views/trial_view.h"
 #include "app/server/views/words.h"
 #include "app/session/trial_file.h"
 #include "app/session/trial_keeper.h"
+#include "database/comments.h"
 
 namespace app {
 namespace {
@@ -47,6 +50,13 @@ base::Result<std::optional<curricula::Exercise>> exercise_then(Call& call,
   if (exercise) return std::optional<curricula::Exercise>(*std::move(exercise));
   if (exercise.error().code != base::ErrorCode::not_found) return exercise.error();
   return std::optional<curricula::Exercise>{};
+}
+
+// Whoever teaches may judge the trials they may see, but not their own.
+bool may_judge(const database::Person& viewer, const database::StoredTrial& trial) {
+  return (viewer.role == database::Role::instructor ||
+          viewer.role == database::Role::administrator) &&
+         viewer.id != trial.head.person_id;
 }
 
 }  // namespace
@@ -92,6 +102,21 @@ base::Result<Response> get_trial(Call& call) {
   answer["progress_sentence"] = state == nullptr ? "" : state->progress.sentence;
   answer["status"] = assessment::word(state == nullptr ? assessment::ExerciseStatus::available
                                                        : state->progress.status);
+  answer["void"] = nullptr;
+  if (!trial->voided_utc.empty()) {
+    const auto names = ActorNames::load(call.store);
+    if (!names) return names.error();
+    answer["void"] = {{"voided_utc", trial->voided_utc},
+                      {"voided_by", names->actor(trial->voided_by)},
+                      {"reason", trial->void_reason}};
+  }
+  const auto comments = database::trial_comments(call.store, trial->head.id);
+  if (!comments) return comments.error();
+  answer["comments"] = json::array();
+  for (const database::Comment& comment : *comments) {
+    answer["comments"].push_back(comment_json(comment, call.me().person.id));
+  }
+  answer["may_judge"] = may_judge(call.me().person, *trial);
   return json_response(answer);
 }
 
