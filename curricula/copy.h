@@ -12,4 +12,11 @@ namespace curricula {
 // as it is written. `invalid_input` when the id is none or is the source's own.
 base::Result<std::string> copy_as_draft(const Curriculum& source, const std::string& new_id);
 
+// The text with another version and status draft: the next version of the same curriculum.
+// corrupt_data when the text has no version or status to replace.
+base::Result<std::string> next_draft(const std::string& yaml, const std::string& version);
+
+// The text as it is published: its status says so, nothing else changes.
+base::Result<std::string> as_published(const std::string& yaml);
+
 }  // namespace curricula

@@ -74,6 +74,7 @@ struct Exercise {
   std::vector<std::string> requires_proficient;  // exercise ids
   std::vector<std::string> feedback_during, feedback_after;
   std::string yaml;  // the exercise's own text, as stored with the version
+  int line = 0;      // of the file, where it begins; 1-based
 };
 
 // Where a pass mark comes from. Only `fixed` ones have a value; the others name the data that will

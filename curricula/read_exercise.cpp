@@ -236,6 +236,7 @@ ExerciseDraft read_exercise(const YamlNode& node, const ExerciseContext& context
   Exercise& exercise = draft.exercise;
   Fields fields(node, "an exercise", problems);
   draft.node = &node;
+  exercise.line = node.line;
   exercise.id = fields.need_id("id");
   draft.id_node = exercise.id.empty() ? nullptr : fields.find("id");
   exercise.version =

@@ -4,6 +4,7 @@
 
 #include "database/audit_chain.h"
 #include "database/connection.h"
+#include "database/curriculum_rows.h"
 #include "database/person_rows.h"
 #include "database/text_limits.h"
 #include "database/training_by_rows.h"
@@ -20,27 +21,6 @@ base::Status check_exercise(const ExerciseVersion& exercise) {
     return status;
   }
   return check_text("text of the exercise", exercise.yaml, kMaxDocument);
-}
-
-base::Status check_version(const CurriculumVersion& version) {
-  if (base::Status status = check_name("id of the curriculum", version.curriculum_id); !status) {
-    return status;
-  }
-  if (base::Status status = check_name("version", version.version); !status) return status;
-  if (base::Status status = check_name("hash", version.sha256); !status) return status;
-  if (version.status != "draft" && version.status != "published" && version.status != "retired") {
-    return Error{ErrorCode::invalid_input,
-                 "The status of a curriculum is draft, published or retired."};
-  }
-  for (const ExerciseVersion& exercise : version.exercises) {
-    if (base::Status status = check_exercise(exercise); !status) return status;
-  }
-  for (const BenchmarkVersion& benchmark : version.benchmarks) {
-    if (base::Status status = check_name("id of the benchmark", benchmark.id); !status) {
-      return status;
-    }
-  }
-  return check_text("text of the curriculum", version.yaml, kMaxDocument);
 }
 
 std::vector<ExerciseVersion> load_exercises(soci::session& sql, const std::string& condition,
@@ -177,37 +157,64 @@ constexpr const char* kNewestPublished =
 
 }  // namespace
 
+base::Status check_curriculum_version(const CurriculumVersion& version) {
+  if (base::Status status = check_name("id of the curriculum", version.curriculum_id); !status) {
+    return status;
+  }
+  if (base::Status status = check_name("version", version.version); !status) return status;
+  if (base::Status status = check_name("hash", version.sha256); !status) return status;
+  if (version.status != "draft" && version.status != "published" && version.status != "retired") {
+    return Error{ErrorCode::invalid_input,
+                 "The status of a curriculum is draft, published or retired."};
+  }
+  for (const ExerciseVersion& exercise : version.exercises) {
+    if (base::Status status = check_exercise(exercise); !status) return status;
+  }
+  for (const BenchmarkVersion& benchmark : version.benchmarks) {
+    if (base::Status status = check_name("id of the benchmark", benchmark.id); !status) {
+      return status;
+    }
+  }
+  return check_text("text of the curriculum", version.yaml, kMaxDocument);
+}
+
+base::Result<CurriculumVersion> store_publication(soci::session& sql,
+                                                  const CurriculumVersion& version,
+                                                  const std::string& utc,
+                                                  const std::string& actor) {
+  const std::vector<CurriculumVersion> same = load_same(sql, version);
+  std::string before_hash, row_id;
+  if (same.empty()) {
+    keep_default(sql, version, actor);
+    row_id = insert_version(sql, version, utc);
+  } else {
+    const CurriculumVersion& stored = same.front();
+    if (stored.sha256 != version.sha256) {
+      return Error{ErrorCode::conflict, "Version " + version.version + " of " +
+                                            version.curriculum_id +
+                                            " is stored with another text; give the changed "
+                                            "text a new version."};
+    }
+    if (stored.status != "draft" || version.status != "published") return stored;
+    row_id = stored.row_id;
+    before_hash = hash_of_version(stored);
+    keep_default(sql, version, actor);
+    publish_draft(sql, stored, utc);
+  }
+  const CurriculumVersion result = load_version(sql, row_id).front();
+  add_audit(sql, {actor, "curriculum.publish", "curriculum_version:" + row_id, before_hash,
+                  hash_of_version(result)});
+  return result;
+}
+
 base::Result<CurriculumVersion> publish_curriculum(Store& store, const CurriculumVersion& version,
                                                    const std::string& actor) {
-  if (base::Status status = check_version(version); !status) return status.error();
+  if (base::Status status = check_curriculum_version(version); !status) return status.error();
   if (base::Status status = check_name("actor", actor); !status) return status.error();
   const base::Result<std::string> utc = stored_utc(version.published_utc);
   if (!utc) return utc.error();
-  return writing(store, [&](soci::session& sql) -> base::Result<CurriculumVersion> {
-    const std::vector<CurriculumVersion> same = load_same(sql, version);
-    std::string before_hash, row_id;
-    if (same.empty()) {
-      keep_default(sql, version, actor);
-      row_id = insert_version(sql, version, *utc);
-    } else {
-      const CurriculumVersion& stored = same.front();
-      if (stored.sha256 != version.sha256) {
-        return Error{ErrorCode::conflict, "Version " + version.version + " of " +
-                                              version.curriculum_id +
-                                              " is stored with another text; give the changed "
-                                              "text a new version."};
-      }
-      if (stored.status != "draft" || version.status != "published") return stored;
-      row_id = stored.row_id;
-      before_hash = hash_of_version(stored);
-      keep_default(sql, version, actor);
-      publish_draft(sql, stored, *utc);
-    }
-    const CurriculumVersion result = load_version(sql, row_id).front();
-    add_audit(sql, {actor, "curriculum.publish", "curriculum_version:" + row_id, before_hash,
-                    hash_of_version(result)});
-    return result;
-  });
+  return writing(store,
+                 [&](soci::session& sql) { return store_publication(sql, version, *utc, actor); });
 }
 
 base::Result<std::vector<CurriculumVersion>> curriculum_versions(Store& store) {

@@ -11,11 +11,19 @@ base::Error refuse(const std::string& sentence) {
   return base::Error{base::ErrorCode::invalid_input, sentence};
 }
 
-// Brackets nested deeper than any message of ours; the parser itself knows no limit.
+// Brackets nested deeper than any message of ours; the parser itself knows no limit. Those inside
+// a string, such as the text of a curriculum, are none.
 bool nested_too_deep(const std::string& text) {
   constexpr int kDeepest = 16;
   int depth = 0;
-  for (const char character : text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char character = text[i];
+    if (character == '"') quoted = !quoted;
+    if (quoted) {
+      if (character == '\\') ++i;
+      continue;
+    }
     if (character == '{' || character == '[') ++depth;
     if (character == '}' || character == ']') --depth;
     if (depth > kDeepest) return true;

@@ -60,3 +60,6 @@ CREATE TABLE trial_comment (
   withdrawn_utc TEXT
 ) STRICT;
 CREATE INDEX trial_comment_by_trial ON trial_comment (trial_id, written_utc);
+
+-- How many trials were made under a version of a curriculum.
+CREATE INDEX trial_by_exercise_version ON trial (exercise_version_id);
