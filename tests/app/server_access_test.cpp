@@ -72,6 +72,18 @@ constexpr Rule kRules[] = {
     {"GET", "/api/groups", "IA"},
 
     // curricula, instruments
+    {"GET", "/api/curricula", "A"},
+    {"POST", "/api/curricula", "A"},
+    {"POST", "/api/curricula/check", "A"},
+    {"PUT", "/api/curricula/default", "A"},
+    {"GET", "/api/curricula/{id}/versions/{version}", "A", About::thing},
+    {"PUT", "/api/curricula/{id}/draft", "A", About::thing},
+    {"DELETE", "/api/curricula/{id}/draft", "A", About::thing},
+    {"POST", "/api/curricula/{id}/publish", "A", About::thing},
+    {"POST", "/api/curricula/{id}/retire", "A", About::thing},
+    {"GET", "/api/curricula/{id}/diff", "A", About::thing},
+    {"GET", "/api/catalogue", "IA"},
+    {"GET", "/api/instruments", "IA"},
 
     // cohort
 

@@ -48,4 +48,18 @@ base::Result<Response> get_comparison(Call& call);
 base::Result<Response> get_comparison_csv(Call& call);
 base::Result<Response> get_comparison_html(Call& call);
 
+base::Result<Response> get_curricula(Call& call);
+base::Result<Response> get_curriculum_version(Call& call);
+base::Result<Response> post_curriculum(Call& call);
+base::Result<Response> post_curriculum_check(Call& call);
+base::Result<Response> put_draft(Call& call);
+base::Result<Response> delete_draft_of(Call& call);
+base::Result<Response> post_publish(Call& call);
+base::Result<Response> post_retire(Call& call);
+base::Result<Response> put_default_curriculum(Call& call);
+base::Result<Response> get_curriculum_diff(Call& call);
+
+base::Result<Response> get_catalogue(Call& call);
+base::Result<Response> get_instruments(Call& call);
+
 }  // namespace app

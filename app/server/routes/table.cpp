@@ -18,7 +18,9 @@ std::span<const Route> routes() {
   using enum Method;
   constexpr LaneKind kSlow = LaneKind::slow;
   constexpr LaneKind kQuick = LaneKind::quick;
-  constexpr std::size_t kLongList = std::size_t{1} << 20;  // bytes
+  // 1 MiB of text, some characters of which are escaped in JSON
+  constexpr std::size_t kCurriculum = (std::size_t{1} << 20) + (std::size_t{1} << 18);  // bytes
+  constexpr std::size_t kLongList = std::size_t{1} << 20;                               // bytes
   static const std::array kRoutes = std::to_array<Route>({
       {get, "/api/health", Who::anyone(), get_health},
       {get, "/api/site", Who::anyone(), get_site},
@@ -64,7 +66,20 @@ std::span<const Route> routes() {
       {post, "/api/people/import", administers(), post_import, kSlow, false, kLongList},
       {get, "/api/groups", teaches(), get_groups},
 
-      // curricula, instruments
+      // curricula, instruments; the checker may take its time, so not in the quick lane
+      {get, "/api/curricula", administers(), get_curricula, kSlow},
+      {post, "/api/curricula", administers(), post_curriculum, kSlow},
+      {post, "/api/curricula/check", administers(), post_curriculum_check, kSlow, false,
+       kCurriculum},
+      {put, "/api/curricula/default", administers(), put_default_curriculum, kSlow},
+      {get, "/api/curricula/{id}/versions/{version}", administers(), get_curriculum_version, kSlow},
+      {put, "/api/curricula/{id}/draft", administers(), put_draft, kSlow, false, kCurriculum},
+      {remove, "/api/curricula/{id}/draft", administers(), delete_draft_of},
+      {post, "/api/curricula/{id}/publish", administers(), post_publish, kSlow},
+      {post, "/api/curricula/{id}/retire", administers(), post_retire, kSlow},
+      {get, "/api/curricula/{id}/diff", administers(), get_curriculum_diff, kSlow},
+      {get, "/api/catalogue", teaches(), get_catalogue},
+      {get, "/api/instruments", teaches(), get_instruments},
 
       // cohort
 

@@ -6,12 +6,10 @@
 #include "app/server/site.h"
 #include "app/server/training_record.h"
 #include "app/server/views/briefing_view.h"
+#include "app/server/views/json_views.h"
 #include "app/server/views/progress_view.h"
-#include "assessment/metrics.h"
 
 namespace app {
-
-using nlohmann::json;
 
 base::Result<Response> get_training(Call& call) {
   const auto record = training_record(call.store, call.site, call.me().person.id);
@@ -49,18 +47,6 @@ base::Result<Response> get_mesh(Call& call) {
   return response;
 }
 
-base::Result<Response> get_metrics(Call&) {
-  json metrics = json::array();
-  for (const assessment::MetricDefinition& metric : assessment::metric_definitions()) {
-    const bool lower = metric.direction == assessment::Direction::lower_is_better;
-    metrics.push_back({{"id", metric.id},
-                       {"version", metric.version},
-                       {"title", metric.title},
-                       {"unit", metric.unit},
-                       {"direction", lower ? "lower" : "higher"},
-                       {"definition", metric.definition}});
-  }
-  return json_response({{"metrics", metrics}});
-}
+base::Result<Response> get_metrics(Call&) { return json_response({{"metrics", metrics_json()}}); }
 
 }  // namespace app

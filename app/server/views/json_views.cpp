@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "assessment/metrics.h"
+
 namespace app {
 
 using nlohmann::json;
@@ -27,6 +29,20 @@ json to_json(const std::vector<reports::Chart>& charts) {
 json number_or_null(const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) return nullptr;
   return *value;
+}
+
+json metrics_json() {
+  json metrics = json::array();
+  for (const assessment::MetricDefinition& metric : assessment::metric_definitions()) {
+    const bool lower = metric.direction == assessment::Direction::lower_is_better;
+    metrics.push_back({{"id", metric.id},
+                       {"version", metric.version},
+                       {"title", metric.title},
+                       {"unit", metric.unit},
+                       {"direction", lower ? "lower" : "higher"},
+                       {"definition", metric.definition}});
+  }
+  return metrics;
 }
 
 }  // namespace app

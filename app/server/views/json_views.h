@@ -17,4 +17,7 @@ nlohmann::json to_json(const std::vector<reports::Chart>& charts);
 // A number, or null: also for one that JSON cannot say.
 nlohmann::json number_or_null(const std::optional<double>& value);
 
+// Every metric there is, as the wire's MetricInfo.
+nlohmann::json metrics_json();
+
 }  // namespace app
