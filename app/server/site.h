@@ -2,6 +2,7 @@
 // server; its parts may be used from several threads.
 #pragma once
 
+#include "app/server/expert_bands.h"
 #include "app/server/live_trials.h"
 #include "app/server/mesh_cache.h"
 #include "app/server/practice_results.h"
@@ -27,6 +28,7 @@ struct Site {
   MeshCache meshes;
   PublishedCurricula curricula;
   PracticeResults practice;  // before the trials, which put their results there
+  ExpertBandCache expert_bands;
   LiveTrials live;
   FailureThrottle names{5};     // wrong passwords for one name
   FailureThrottle clients{30};  // wrong passwords from one address, a class room perhaps

@@ -129,6 +129,32 @@ TEST(ProgressChart, TheSameInputGivesTheSameBytes) {
   EXPECT_EQ(reports::progress_chart(progress(40)).svg, reports::progress_chart(progress(40)).svg);
 }
 
+TEST(SmallProgressChart, HoldsFromNoTrialToHundredsOfAnySize) {
+  for (const double scale : {0.0, 1e-3, 1.0, 1e4}) {
+    for (const int trials : {0, 1, 2, 12, 60, 900}) {
+      auto input = progress(trials);
+      for (auto& point : input.points) point.value *= scale;
+      const Chart chart = reports::small_progress_chart(input);
+      expect_sound(chart);
+      EXPECT_EQ(samples::occurrences(chart.svg, "<circle"), trials);
+      EXPECT_NE(chart.svg.find(">target<"), std::string::npos);
+    }
+  }
+}
+
+TEST(SmallProgressChart, SharesTheAxisOfTrialsWithItsLike) {
+  auto input = progress(3);
+  input.last_ordinal = 12;  // the later trials were not completed
+  EXPECT_NE(reports::small_progress_chart(input).svg.find(">12<"), std::string::npos);
+}
+
+TEST(SmallProgressChart, SaysWhenNoTrialWasCompleted) {
+  auto input = progress(0);
+  input.unfinished = 2;
+  EXPECT_NE(reports::small_progress_chart(input).svg.find(">None completed<"), std::string::npos);
+  EXPECT_NE(reports::progress_chart(input).svg.find(">No trial completed yet<"), std::string::npos);
+}
+
 TEST(StepTimeChart, HoldsForNoStepAndForMany) {
   for (const int steps : {0, 1, 3, 24}) {
     std::vector<reports::StepDuration> durations;

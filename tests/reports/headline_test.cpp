@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/progress_charts.h"
+#include "reports/standing.h"
 #include "tests/reports/samples.h"
 
 namespace {
@@ -81,6 +82,56 @@ TEST(ProgressHeadline, NeverRoundsAcrossTheTarget) {
 
 TEST(ProgressHeadline, WithoutTrialsSaysSo) {
   EXPECT_EQ(reports::progress_headline("Linear", progress({}), "x", true), "Linear: no trial yet.");
+}
+
+TEST(ProgressHeadline, TrialsThatWereNotCompletedAreNotNoTrial) {
+  reports::ProgressChart chart = progress({});
+  chart.unfinished = 2;
+  EXPECT_EQ(reports::progress_headline("Linear", chart, "0 of 2 passes in a row", true),
+            "Linear: 2 trials, none completed; 0 of 2 passes in a row.");
+}
+
+TEST(ProgressHeadline, LeavesOutWhatDoesNotCount) {
+  reports::ProgressChart chart = progress({100.0, 50.0, 80.0});
+  chart.points[1].counted = false;
+  EXPECT_NE(reports::progress_headline("L", chart, "x", true)
+                .find("last two trials 100, 80 s; target 90 s (provisional); 20 % faster"),
+            std::string::npos);
+  for (reports::TrialPoint& point : chart.points) point.counted = false;
+  EXPECT_EQ(reports::progress_headline("L", chart, "x", true),
+            "L: 3 trials, none of them counts; x.");
+}
+
+TEST(Standing, IsOfTheTrialsThatCount) {
+  reports::ProgressChart chart = progress({100.0, 90.0, 60.0, 75.0});
+  chart.points[2].counted = false;  // voided: neither previous nor best
+  const reports::Standing standing = reports::standing_of(chart);
+  EXPECT_EQ(standing.last, 75.0);
+  EXPECT_EQ(standing.previous, 90.0);
+  EXPECT_EQ(standing.best, 75.0);
+  EXPECT_NEAR(*standing.change_to_previous_percent, -100.0 / 6.0, 1e-12);
+  EXPECT_EQ(standing.change_to_first_percent, -25.0);
+}
+
+TEST(Standing, TheBestFollowsTheDirection) {
+  reports::ProgressChart chart = progress({0.5, 0.9, 0.7});
+  chart.direction = assessment::Direction::higher_is_better;
+  EXPECT_EQ(reports::standing_of(chart).best, 0.9);
+}
+
+TEST(Standing, FromZeroThereIsNoPercentage) {
+  const reports::Standing standing = reports::standing_of(progress({0.0, 2.0}));
+  EXPECT_EQ(standing.previous, 0.0);
+  EXPECT_FALSE(standing.change_to_previous_percent);
+  EXPECT_FALSE(reports::standing_of(progress({})).last);
+  EXPECT_FALSE(reports::standing_of(progress({3.0})).previous);
+}
+
+TEST(Standing, SaysInWordsWhichWayIsBetter) {
+  using assessment::Direction;
+  EXPECT_EQ(reports::change_words(-20.4, Direction::lower_is_better), "20 % lower, better");
+  EXPECT_EQ(reports::change_words(-20.4, Direction::higher_is_better), "20 % lower, worse");
+  EXPECT_EQ(reports::change_words(0.3, Direction::higher_is_better), "the same");
 }
 
 }  // namespace

@@ -39,8 +39,10 @@ base::Result<Response> get_progress(Call& call) {
   if (!person) return person.error();
   const auto record = training_record(call.store, call.site, person->id);
   if (!record) return record.error();
+  const auto bands = call.site.expert_bands.current(call.store);
+  if (!bands) return bands.error();
   const auto exercises =
-      exercises_progress_json(call.store, *record, *person, person->id == viewer_id);
+      exercises_progress_json(call.store, *record, *person, person->id == viewer_id, **bands);
   if (!exercises) return exercises.error();
   return json_response({{"person", person_row_json(*person, *record)}, {"exercises", *exercises}});
 }

@@ -14,7 +14,9 @@ namespace app {
 base::Result<Response> get_training(Call& call) {
   const auto record = training_record(call.store, call.site, call.me().person.id);
   if (!record) return record.error();
-  const auto training = training_json(call.store, *record, call.site.scenes.library());
+  const auto bands = call.site.expert_bands.current(call.store);
+  if (!bands) return bands.error();
+  const auto training = training_json(call.store, *record, call.site.scenes.library(), **bands);
   if (!training) return training.error();
   return json_response(*training);
 }

@@ -184,4 +184,14 @@ const assessment::Rule* target_of(const curricula::Exercise& exercise, const std
   return nullptr;
 }
 
+const assessment::Rule* bound_of(const curricula::Exercise& exercise, const std::string& metric) {
+  using assessment::Comparison;
+  for (const assessment::Rule* leaf : metric_leaves(exercise)) {
+    const bool a_side =
+        leaf->comparison != Comparison::equal && leaf->comparison != Comparison::not_equal;
+    if (leaf->subject == metric && a_side) return leaf;
+  }
+  return nullptr;
+}
+
 }  // namespace app

@@ -20,4 +20,8 @@ nlohmann::json briefing_json(const curricula::Curriculum& curriculum,
 // The leaf of the pass rule that bounds a metric from above; null when there is none.
 const assessment::Rule* target_of(const curricula::Exercise& exercise, const std::string& metric);
 
+// The leaf that bounds a metric from either side, as a metric of which more is better is; null when
+// there is none.
+const assessment::Rule* bound_of(const curricula::Exercise& exercise, const std::string& metric);
+
 }  // namespace app

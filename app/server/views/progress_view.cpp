@@ -1,12 +1,17 @@
 #include "app/server/views/progress_view.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <vector>
 
+#include "app/server/exercise_progress.h"
 #include "app/server/views/briefing_view.h"
 #include "app/server/views/json_views.h"
 #include "app/server/views/trial_view.h"
 #include "app/server/views/words.h"
+#include "database/trial_summaries.h"
+#include "reports/standing.h"
 
 namespace app {
 namespace {
@@ -15,55 +20,6 @@ using nlohmann::json;
 using Trials = std::vector<const database::StoredTrial*>;
 
 constexpr std::size_t kLastTrials = 3;
-
-bool counts(const database::StoredTrial& trial) {
-  return trial.voided_utc.empty() && !trial.interrupted;
-}
-
-// The time of each finished trial against the target of the exercise.
-reports::ProgressChart time_chart(const curricula::Exercise& exercise, const Trials& trials,
-                                  const std::string& who) {
-  reports::ProgressChart chart;
-  chart.id = exercise.id + "-time";
-  chart.title = "Time per trial";
-  chart.unit = "s";
-  chart.who = who;
-  bool published = false;
-  for (const database::StoredTrial* trial : trials) {
-    published = published || trial->head.source == assessment::Source::published_data;
-    const auto time = metric_value(*trial, "time_s");
-    if (!time || trial->end_reason != assessment::EndReason::completed) continue;
-    chart.points.push_back(
-        {trial->ordinal, *time, trial->outcome == assessment::Outcome::passed, counts(*trial)});
-  }
-  const assessment::Rule* target = target_of(exercise, "time_s");
-  if (target != nullptr && !published) {
-    chart.target = target->bound;
-    chart.target_provisional = target->provisional;
-  }
-  return chart;
-}
-
-// The same for another metric, without a target line unless the rule has one.
-reports::ProgressChart metric_chart(const curricula::Exercise& exercise, const Trials& trials,
-                                    const std::string& who, const std::string& metric) {
-  reports::ProgressChart chart;
-  chart.id = exercise.id + "-" + metric;
-  chart.title = subject_title(metric) + " per trial";
-  chart.unit = subject_unit(metric);
-  chart.who = who;
-  for (const database::StoredTrial* trial : trials) {
-    const auto value = metric_value(*trial, metric);
-    if (!value || trial->end_reason != assessment::EndReason::completed) continue;
-    chart.points.push_back(
-        {trial->ordinal, *value, trial->outcome == assessment::Outcome::passed, counts(*trial)});
-  }
-  if (const assessment::Rule* target = target_of(exercise, metric)) {
-    chart.target = target->bound;
-    chart.target_provisional = target->provisional;
-  }
-  return chart;
-}
 
 json blocks_json(const TrainingRecord& record) {
   json blocks = json::array();
@@ -86,7 +42,7 @@ json blocks_json(const TrainingRecord& record) {
 }
 
 base::Result<json> next_json(database::Store& store, const TrainingRecord& record,
-                             const curricula::Library& library) {
+                             const curricula::Library& library, const ExpertBands& bands) {
   const curricula::Exercise* exercise = record.curriculum->find(record.progression.next);
   const curricula::ExerciseState* state = record.progression.find(record.progression.next);
   if (exercise == nullptr || state == nullptr) return json(nullptr);
@@ -94,15 +50,19 @@ base::Result<json> next_json(database::Store& store, const TrainingRecord& recor
   const Trials all = record.trials_of(exercise->id);
   const Trials last(all.end() - static_cast<std::ptrdiff_t>(std::min(all.size(), kLastTrials)),
                     all.end());
-  auto rows = trial_rows_json(store, last, exercise);
-  if (!rows) return rows.error();
-  const reports::ProgressChart chart = time_chart(*exercise, all, "You");
+  std::map<std::string, int> errors;
+  if (!all.empty()) {
+    auto found = database::critical_errors(store, all.front()->head.person_id);
+    if (!found) return found.error();
+    errors = *std::move(found);
+  }
+  const reports::ProgressChart chart = time_chart(*exercise, all, "You", bands);
   const bool drawn = !chart.points.empty();
   return json{{"briefing", briefing_json(*record.curriculum, *exercise, *state, library)},
               {"headline", reports::progress_headline(english(exercise->title), chart,
                                                       state->progress.sentence, true)},
               {"ordinal", all.empty() ? 1 : all.back()->ordinal + 1},
-              {"last_trials", *std::move(rows)},
+              {"last_trials", trial_rows_json(last, exercise, errors)},
               {"chart", drawn ? to_json(reports::progress_chart(chart)) : json(nullptr)}};
 }
 
@@ -116,25 +76,35 @@ const curricula::BlockState* limiting_block(const curricula::Progression& progre
   return limited == progression.blocks.end() ? nullptr : &*limited;
 }
 
-base::Result<json> exercise_progress_json(database::Store& store, const TrainingRecord& record,
-                                          const curricula::Exercise& exercise,
-                                          const curricula::ExerciseState& state,
-                                          const std::string& who, bool you) {
-  const Trials trials = record.trials_of(exercise.id);
-  auto rows = trial_rows_json(store, trials, &exercise);
-  if (!rows) return rows.error();
-  const reports::ProgressChart times = time_chart(exercise, trials, who);
-  json charts = json::array();
-  charts.push_back(to_json(reports::progress_chart(times)));
-  const reports::ProgressChart forces = metric_chart(exercise, trials, who, "force_max_n");
-  if (!forces.points.empty()) charts.push_back(to_json(reports::progress_chart(forces)));
-  return json{{"exercise_id", exercise.id},
-              {"title", english(exercise.title)},
-              {"status", assessment::word(state.progress.status)},
-              {"headline", reports::progress_headline(english(exercise.title), times,
-                                                      state.progress.sentence, you)},
-              {"charts", charts},
-              {"trials", *std::move(rows)}};
+json standing_json(const reports::ProgressChart& chart, const std::string& metric) {
+  const reports::Standing standing = reports::standing_of(chart);
+  const bool lower = chart.direction == assessment::Direction::lower_is_better;
+  return {{"metric", metric},
+          {"title", subject_title(metric)},
+          {"unit", chart.unit},
+          {"direction", lower ? "lower" : "higher"},
+          {"last", number_or_null(standing.last)},
+          {"previous", number_or_null(standing.previous)},
+          {"best", number_or_null(standing.best)},
+          {"change_to_previous_percent", number_or_null(standing.change_to_previous_percent)},
+          {"change_to_first_percent", number_or_null(standing.change_to_first_percent)}};
+}
+
+json exercise_progress_json(const ExerciseProgress& progress,
+                            const std::map<std::string, int>& critical_errors) {
+  json small = json::array(), standings = json::array();
+  for (const MetricProgress& metric : progress.metrics) {
+    small.push_back(to_json(reports::small_progress_chart(metric.chart)));
+    standings.push_back(standing_json(metric.chart, metric.metric));
+  }
+  return {{"exercise_id", progress.exercise->id},
+          {"title", english(progress.exercise->title)},
+          {"status", assessment::word(progress.state->progress.status)},
+          {"headline", progress.headline},
+          {"charts", to_json(large_charts(progress))},
+          {"small_multiples", small},
+          {"standings", standings},
+          {"trials", trial_rows_json(progress.trials, progress.exercise, critical_errors)}};
 }
 
 }  // namespace
@@ -149,8 +119,8 @@ json exercise_card_json(const curricula::Exercise& exercise,
 }
 
 base::Result<json> training_json(database::Store& store, const TrainingRecord& record,
-                                 const curricula::Library& library) {
-  auto next = next_json(store, record, library);
+                                 const curricula::Library& library, const ExpertBands& bands) {
+  auto next = next_json(store, record, library, bands);
   if (!next) return next.error();
   const auto& states = record.progression.exercises;
   const auto proficient = std::count_if(states.begin(), states.end(), [](const auto& state) {
@@ -168,15 +138,14 @@ base::Result<json> training_json(database::Store& store, const TrainingRecord& r
 }
 
 base::Result<json> exercises_progress_json(database::Store& store, const TrainingRecord& record,
-                                           const database::Person& person, bool you) {
+                                           const database::Person& person, bool you,
+                                           const ExpertBands& bands) {
+  const auto errors = database::critical_errors(store, person.id);
+  if (!errors) return errors.error();
   json exercises = json::array();
-  for (const curricula::ExerciseState& state : record.progression.exercises) {
-    const curricula::Exercise* exercise = record.curriculum->find(state.exercise_id);
-    if (exercise == nullptr) continue;
-    auto progress = exercise_progress_json(store, record, *exercise, state,
-                                           you ? "You" : person.display_name, you);
-    if (!progress) return progress.error();
-    exercises.push_back(*std::move(progress));
+  for (const ExerciseProgress& progress :
+       exercises_progress(record, you ? "You" : person.display_name, you, bands)) {
+    exercises.push_back(exercise_progress_json(progress, *errors));
   }
   return exercises;
 }

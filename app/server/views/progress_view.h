@@ -6,11 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/server/expert_bands.h"
 #include "app/server/training_record.h"
 #include "curricula/catalogue.h"
 #include "database/people.h"
 #include "database/store.h"
-#include "reports/progress_charts.h"
 
 namespace app {
 
@@ -19,13 +19,15 @@ nlohmann::json exercise_card_json(const curricula::Exercise& exercise,
 
 // What a trainee sees first.
 base::Result<nlohmann::json> training_json(database::Store& store, const TrainingRecord& record,
-                                           const curricula::Library& library);
+                                           const curricula::Library& library,
+                                           const ExpertBands& bands);
 
 // Every exercise the person has tried or may try, with curve and trials. `you`: it is read by the
 // person it is about.
 base::Result<nlohmann::json> exercises_progress_json(database::Store& store,
                                                      const TrainingRecord& record,
-                                                     const database::Person& person, bool you);
+                                                     const database::Person& person, bool you,
+                                                     const ExpertBands& bands);
 
 nlohmann::json person_row_json(const database::Person& person, const TrainingRecord& record);
 

@@ -46,6 +46,13 @@ json events_json(const std::vector<assessment::Event>& events,
   return list;
 }
 
+int critical_count(const std::vector<assessment::Event>& events) {
+  return static_cast<int>(
+      std::count_if(events.begin(), events.end(), [](const assessment::Event& event) {
+        return event.severity == assessment::Severity::critical;
+      }));
+}
+
 // The bound that ends or marks the trial by its contact force, if the exercise has one.
 std::optional<double> force_limit(const curricula::Exercise* exercise) {
   if (exercise == nullptr) return std::nullopt;
@@ -113,17 +120,11 @@ json metrics_json(const std::vector<assessment::MetricValue>& metrics) {
   return list;
 }
 
-base::Result<json> trial_row_json(database::Store& store, const database::StoredTrial& trial,
-                                  const curricula::Exercise* exercise) {
-  const auto events = database::trial_events(store, trial.head.id);
-  if (!events) return events.error();
-  const auto critical =
-      std::count_if(events->begin(), events->end(), [](const assessment::Event& event) {
-        return event.severity == assessment::Severity::critical;
-      });
+json trial_row_json(const database::StoredTrial& trial, const curricula::Exercise* exercise,
+                    int critical_errors) {
   const assessment::Rule* target =
       exercise == nullptr || is_published(trial) ? nullptr : target_of(*exercise, "time_s");
-  return json{
+  return {
       {"trial_id", trial.head.id},
       {"exercise_id", trial.head.exercise_id},
       {"ordinal", trial.ordinal},
@@ -135,19 +136,19 @@ base::Result<json> trial_row_json(database::Store& store, const database::Stored
       {"time_s", number_or_null(metric_value(trial, "time_s"))},
       {"target_s", target == nullptr ? json(nullptr) : json(target->bound)},
       {"force_max_n", number_or_null(metric_value(trial, "force_max_n"))},
-      {"critical_errors", critical},
+      {"critical_errors", critical_errors},
       {"voided", !trial.voided_utc.empty()},
       {"interrupted", trial.interrupted}};
 }
 
-base::Result<json> trial_rows_json(database::Store& store,
-                                   const std::vector<const database::StoredTrial*>& trials,
-                                   const curricula::Exercise* exercise) {
+json trial_rows_json(const std::vector<const database::StoredTrial*>& trials,
+                     const curricula::Exercise* exercise,
+                     const std::map<std::string, int>& critical_errors) {
   json rows = json::array();
   for (auto trial = trials.rbegin(); trial != trials.rend(); ++trial) {
-    auto row = trial_row_json(store, **trial, exercise);
-    if (!row) return row.error();
-    rows.push_back(*std::move(row));
+    const auto errors = critical_errors.find((*trial)->head.id);
+    rows.push_back(
+        trial_row_json(**trial, exercise, errors == critical_errors.end() ? 0 : errors->second));
   }
   return rows;
 }
@@ -156,8 +157,6 @@ base::Result<json> debrief_json(database::Store& store, const database::StoredTr
                                 const curricula::Exercise* exercise) {
   std::vector<curricula::Step> steps;
   if (exercise != nullptr) steps = curricula::unroll(exercise->steps);
-  auto row = trial_row_json(store, trial, exercise);
-  if (!row) return row.error();
   const auto verdict = verdict_of(store, trial);
   if (!verdict) return verdict.error();
   const auto events = database::trial_events(store, trial.head.id);
@@ -166,7 +165,7 @@ base::Result<json> debrief_json(database::Store& store, const database::StoredTr
   if (!charts) return charts.error();
 
   const bool judged = exercise != nullptr && exercise->pass.has_value() && !is_published(trial);
-  return json{{"trial", *std::move(row)},
+  return json{{"trial", trial_row_json(trial, exercise, critical_count(*events))},
               {"person_name", trial.person_name},
               {"exercise_title", exercise == nullptr ? capitalised(trial.head.exercise_id)
                                                      : english(exercise->title)},

@@ -1,6 +1,7 @@
 // Trials on the wire: a row in a list, and the debrief of one.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,14 +18,13 @@ namespace app {
 
 // `exercise`: gives the target time; null when unknown. Published trials come from another
 // apparatus and have no target here.
-base::Result<nlohmann::json> trial_row_json(database::Store& store,
-                                            const database::StoredTrial& trial,
-                                            const curricula::Exercise* exercise);
+nlohmann::json trial_row_json(const database::StoredTrial& trial,
+                              const curricula::Exercise* exercise, int critical_errors);
 
-// Newest first.
-base::Result<nlohmann::json> trial_rows_json(
-    database::Store& store, const std::vector<const database::StoredTrial*>& trials,
-    const curricula::Exercise* exercise);
+// Newest first. `critical_errors`: of database::critical_errors for the person.
+nlohmann::json trial_rows_json(const std::vector<const database::StoredTrial*>& trials,
+                               const curricula::Exercise* exercise,
+                               const std::map<std::string, int>& critical_errors);
 
 // What a trial was judged by, and what was measured in it.
 nlohmann::json criteria_json(const std::vector<assessment::Criterion>& criteria);
