@@ -18,7 +18,7 @@ struct Made {
   assessment::EndReason end = assessment::EndReason::completed;
   bool interrupted = false;
   assessment::Source source = assessment::Source::live;
-  std::vector<assessment::Event> events;
+  std::vector<assessment::Event> events = {};
 };
 
 std::string add_trial(database::Store& store, const std::string& person_id, const Made& made) {
@@ -26,7 +26,7 @@ std::string add_trial(database::Store& store, const std::string& person_id, cons
   trial.id = database::new_id();
   trial.person_id = person_id;
   trial.exercise_id = "linear";
-  trial.exercise_version_id = (*database::current_exercise(store, "linear")).id;
+  trial.exercise_version_id = (*database::current_exercise(store, "vascular-basics", "linear")).id;
   trial.source = made.source;
   trial.apparatus = "cathedra";
   trial.device = "keyboard";
