@@ -1,4 +1,5 @@
 import {Button} from '@mantine/core';
+import {useState} from 'react';
 import {Link} from 'wouter';
 import {ChartView} from '../parts/ChartView';
 import {EmptyState} from '../parts/EmptyState';
@@ -13,6 +14,8 @@ import {paths} from '../parts/paths';
 import {useBeginTrial} from '../parts/use_begin_trial';
 import {useTitle} from '../parts/use_title';
 import type {CriterionResult, Debrief as DebriefData, EventRow, MetricResult} from '../wire/types';
+import {Comments} from './debrief/Comments';
+import {VoidedBanner, VoidTrial} from './debrief/Voiding';
 import styles from './debrief.module.css';
 
 const stepChart = 'step-times';
@@ -20,10 +23,12 @@ const stepChart = 'step-times';
 /** Did I pass, and by which rule? */
 export function Debrief({trialId}: {trialId: string}) {
   const resource = useResource(`trial ${trialId}`, (api) => api.trial(trialId));
-  return <Loaded resource={resource} what="the debrief">{(debrief) => <Page debrief={debrief} />}</Loaded>;
+  return <Loaded resource={resource} what="the debrief">{(debrief) => <Page loaded={debrief} />}</Loaded>;
 }
 
-function Page({debrief}: {debrief: DebriefData}) {
+function Page({loaded}: {loaded: DebriefData}) {
+  // as the server answered last: a comment or voiding changes it
+  const [debrief, setDebrief] = useState(loaded);
   const {trial} = debrief;
   useTitle(`${debrief.exercise_title}, trial ${trial.ordinal}`);
   const {session} = useSignedIn();
@@ -42,11 +47,13 @@ function Page({debrief}: {debrief: DebriefData}) {
         </ol>
       </nav>
       <div className="stack">
-        <Verdict debrief={debrief} own={own} />
+        <VoidedBanner debrief={debrief} />
+        <Verdict debrief={debrief} own={own} onChange={setDebrief} />
         <div className={steps ? styles.duo : undefined}>
           <Criteria debrief={debrief} />
           {steps && <section className="panel"><ChartView chart={steps} /></section>}
         </div>
+        <Comments debrief={debrief} onChange={setDebrief} />
         <div className={others.length > 0 ? styles.force : undefined}>
           {others.map((chart) => <section key={chart.id} className="panel"><ChartView chart={chart} /></section>)}
           <Events events={debrief.events} />
@@ -58,7 +65,7 @@ function Page({debrief}: {debrief: DebriefData}) {
   );
 }
 
-function Verdict({debrief, own}: {debrief: DebriefData; own: boolean}) {
+function Verdict({debrief, own, onChange}: {debrief: DebriefData; own: boolean; onChange: (debrief: DebriefData) => void}) {
   const {trial} = debrief;
   const look = lookOf(stateOfTrial(trial));
   const {begin, busy, problem} = useBeginTrial();
@@ -81,6 +88,7 @@ function Verdict({debrief, own}: {debrief: DebriefData; own: boolean}) {
           {problem && <p className="small tone-bad" role="alert">{problem.message}</p>}
         </div>
       )}
+      {!own && <div className={styles.again}><VoidTrial debrief={debrief} onChange={onChange} /></div>}
       <p className={`small muted num ${styles.progress}`}><State state={debrief.status} /><span>{debrief.progress_sentence}</span></p>
     </section>
   );

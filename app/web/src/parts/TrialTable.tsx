@@ -71,9 +71,9 @@ function Row({trial, judged, own}: {trial: TrialRow; judged: boolean; own: boole
       <td className="muted">{endWord(trial)}{trial.interrupted ? ', interrupted' : ''}</td>
       <td className="muted">{sourceWord(trial.source)}</td>
       <td className="r">
-        {trial.source !== 'published-data' && (
-          <Link href={trial.end_reason !== null ? paths.debrief(trial.trial_id) : own ? paths.console(trial.trial_id) : paths.watch(trial.trial_id)}>
-            {trial.end_reason !== null ? 'Debrief' : own ? 'Open' : 'Watch'}<span className="visually-hidden"> of trial {trial.ordinal}</span>
+        {trial.source !== 'published-data' && (trial.end_reason !== null || own) && (
+          <Link href={trial.end_reason !== null ? paths.debrief(trial.trial_id) : paths.console(trial.trial_id)}>
+            {trial.end_reason !== null ? 'Debrief' : 'Open'}<span className="visually-hidden"> of trial {trial.ordinal}</span>
           </Link>
         )}
       </td>

@@ -14,7 +14,6 @@ export const paths = {
   cohort: '/cohort',
   cohortOf: (group: string) => `/cohort?group=${part(group)}`,
   live: '/live',
-  watch: (trialId: string) => `/live/${part(trialId)}`,
   people: '/people',
   person: (personId: string) => `/people/${part(personId)}`,
   personExercise: (personId: string, exerciseId: string) => `/people/${part(personId)}?exercise=${part(exerciseId)}`,

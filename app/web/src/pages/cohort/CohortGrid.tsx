@@ -131,7 +131,7 @@ export function CohortGrid({caption, people, exercises, running}: Props) {
               <GridRow
                 key={person.person_id} person={person} exercises={exercises} index={index} top_px={topOf(rows, index)}
                 height_px={heightOf(rows, index)} compact={shape.compact} active={index === place.row ? place.column : -1}
-                trialId={running.get(person.person_id) ?? null}
+                running={running.has(person.person_id)}
               />
             );
           })}
@@ -166,7 +166,7 @@ function Told({place, people, exercises, running}: ToldProps) {
   const name = <span className="strong">{person.display_name}{exercise ? `, ${shortTitle(exercise.title)}` : ''}: </span>;
   if (exercise) return <>{name}{cellSentence(person.cells[place.column - leadColumns] ?? null)}</>;
   if (place.column === nowColumn) {
-    return <>{name}{running.has(person.person_id) ? 'a trial is running now; Enter watches it.' : 'no trial is running.'}</>;
+    return <>{name}{running.has(person.person_id) ? 'a trial is running now.' : 'no trial is running.'}</>;
   }
   return <>{name}{person.needs_help ? `${person.why} ` : ''}{personFacts(person)}{person.groups.length > 0 ? ` · ${person.groups.join(', ')}` : ''}</>;
 }

@@ -20,12 +20,12 @@ interface Props {
   compact: boolean;
   /** the column that the Tab key reaches; -1 in all rows but one */
   active: number;
-  /** of the trial that runs now */
-  trialId: string | null;
+  /** a trial runs now */
+  running: boolean;
 }
 
 /** One person. Plain links: the grid above turns clicks into moves within the application. */
-export const GridRow = memo(function GridRow({person, exercises, index, top_px, height_px, compact, active, trialId}: Props) {
+export const GridRow = memo(function GridRow({person, exercises, index, top_px, height_px, compact, active, running}: Props) {
   const place = (column: number) => ({'data-place': `${index} ${column}`, tabIndex: column === active ? 0 : -1});
   return (
     <div
@@ -43,15 +43,13 @@ export const GridRow = memo(function GridRow({person, exercises, index, top_px, 
             : <span className={`xs faint num ${styles.facts}`}>{personFacts(person)}</span>}
         </a>
       </div>
-      {trialId === null
-        ? <div role="gridcell" aria-colindex={nowColumn + 1} className={styles.now} aria-label="Not running" {...place(nowColumn)} />
-        : (
-          <div role="gridcell" aria-colindex={nowColumn + 1} className={styles.now}>
-            <a {...place(nowColumn)} href={paths.watch(trialId)} aria-label={`Running: watch ${person.display_name}`}>
-              <State state="running" form={compact ? 'stacked' : 'inline'} />
-            </a>
+      {running
+        ? (
+          <div role="gridcell" aria-colindex={nowColumn + 1} className={styles.now} {...place(nowColumn)}>
+            <State state="running" form={compact ? 'stacked' : 'inline'} />
           </div>
-        )}
+        )
+        : <div role="gridcell" aria-colindex={nowColumn + 1} className={styles.now} aria-label="Not running" {...place(nowColumn)} />}
       {exercises.map((exercise, at) => (
         <Cell
           key={exercise.exercise_id} cell={person.cells[at] ?? null} href={paths.personExercise(person.person_id, exercise.exercise_id)}
