@@ -30,15 +30,15 @@ std::string hash_of_row(const AuditRow& row) {
                   row.before_hash, row.after_hash, row.prev_hash});
 }
 
-// All rows by the given order, handed to `take` one by one.
+// Rows by the given condition and order, handed to `take` one by one.
 template <typename Take>
-void read_rows(soci::session& sql, const std::string& order, Take take) {
+void read_rows(soci::session& sql, const std::string& which, Take take) {
   AuditRow row;
   int seq = 0;
   soci::statement select =
       (sql.prepare << "SELECT seq, utc, actor, action, object, before_hash, after_hash, "
-                      "prev_hash, hash FROM audit ORDER BY " +
-                          order,
+                      "prev_hash, hash FROM audit " +
+                          which,
        soci::into(seq), soci::into(row.utc), soci::into(row.actor), soci::into(row.action),
        soci::into(row.object), soci::into(row.before_hash), soci::into(row.after_hash),
        soci::into(row.prev_hash), soci::into(row.hash));
@@ -104,13 +104,22 @@ void add_audit(soci::session& sql, const AuditEntry& entry) {
   execute(sql, "UPDATE audit_head SET seq = :seq, hash = :hash WHERE one = 1", seq, row.hash);
 }
 
-base::Result<std::vector<AuditRow>> audit_log(Store& store, int limit) {
+base::Result<std::vector<AuditRow>> audit_log(Store& store, int limit, int before) {
   return reading(store, [&](soci::session& sql) -> base::Result<std::vector<AuditRow>> {
     std::vector<AuditRow> rows;
     if (limit <= 0) return rows;
-    read_rows(sql, "seq DESC LIMIT " + std::to_string(limit),
+    const std::string older = before > 0 ? "WHERE seq < " + std::to_string(before) + " " : "";
+    read_rows(sql, older + "ORDER BY seq DESC LIMIT " + std::to_string(limit),
               [&](const AuditRow& row) { rows.push_back(row); });
     return rows;
+  });
+}
+
+base::Status note_in_audit(Store& store, const std::string& actor, const std::string& action,
+                           const std::string& object, const std::string& content) {
+  return writing(store, [&](soci::session& sql) -> base::Status {
+    add_audit(sql, {actor, action, object, "", hash_of({content})});
+    return base::Done{};
   });
 }
 
@@ -125,7 +134,7 @@ base::Status verify_audit(Store& store) {
   return reading(store, [](soci::session& sql) -> base::Status {
     AuditRow previous;
     base::Status verdict = base::Done{};
-    read_rows(sql, "seq", [&](const AuditRow& row) {
+    read_rows(sql, "ORDER BY seq", [&](const AuditRow& row) {
       if (verdict) verdict = check_link(previous, row);
       previous = row;
     });

@@ -25,7 +25,11 @@ struct AuditRow {
   std::string hash;  // of all the fields above, SHA-256, hex
 };
 
-base::Result<std::vector<AuditRow>> audit_log(Store& store, int limit);  // the newest, newest first
+// The newest first; with `before`, of the rows numbered lower than that.
+base::Result<std::vector<AuditRow>> audit_log(Store& store, int limit, int before = 0);
+// For what changes no row of the store: a backup made or taken away. `content` is kept as a hash.
+base::Status note_in_audit(Store& store, const std::string& actor, const std::string& action,
+                           const std::string& object, const std::string& content);
 base::Result<std::string> audit_head(Store& store);  // "SEQ HASH" of the last row, to be kept apart
 // Fails with corrupt_data naming the first row that was changed, removed or reordered.
 base::Status verify_audit(Store& store);

@@ -2,6 +2,8 @@
 // server; its parts may be used from several threads.
 #pragma once
 
+#include "app/server/audit_verdict.h"
+#include "app/server/backup_folder.h"
 #include "app/server/expert_bands.h"
 #include "app/server/live_trials.h"
 #include "app/server/mesh_cache.h"
@@ -19,6 +21,7 @@ struct Site {
       : options(std::move(its_options)),
         scenes(std::move(library)),
         meshes(scenes),
+        backups(options.database_url),
         live(options.max_live_trials,
              {options.abandon_live_after_s, options.abandon_practice_after_s}),
         requests(options.requests_per_second) {}
@@ -26,6 +29,9 @@ struct Site {
   const ServerOptions options;
   SceneStore scenes;
   MeshCache meshes;
+  BackupFolder backups;
+  AuditVerdict audit;
+  const std::string started_utc = database::utc_now();
   PublishedCurricula curricula;
   PracticeResults practice;  // before the trials, which put their results there
   ExpertBandCache expert_bands;

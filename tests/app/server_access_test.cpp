@@ -88,6 +88,10 @@ constexpr Rule kRules[] = {
     // cohort
 
     // the system
+    {"GET", "/api/system", "A"},
+    {"POST", "/api/system/backups", "A"},
+    {"GET", "/api/system/backups/{name}", "A", About::thing},
+    {"GET", "/api/audit", "A"},
 
     // reports
     {"GET", "/api/compare", "IAR"},

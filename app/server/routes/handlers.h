@@ -43,6 +43,11 @@ base::Result<Response> post_import_preview(Call& call);
 base::Result<Response> post_import(Call& call);
 base::Result<Response> get_groups(Call& call);
 
+base::Result<Response> get_system(Call& call);
+base::Result<Response> post_backup(Call& call);
+base::Result<Response> get_backup(Call& call);
+base::Result<Response> get_audit(Call& call);
+
 base::Result<Response> get_compare_options(Call& call);
 base::Result<Response> get_comparison(Call& call);
 base::Result<Response> get_comparison_csv(Call& call);

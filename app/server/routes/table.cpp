@@ -84,6 +84,10 @@ std::span<const Route> routes() {
       // cohort
 
       // the system
+      {get, "/api/system", administers(), get_system, kSlow},
+      {post, "/api/system/backups", administers(), post_backup, kSlow},
+      {get, "/api/system/backups/{name}", administers(), get_backup, kSlow},
+      {get, "/api/audit", administers(), get_audit, kSlow},
 
       // reports
       {get, "/api/compare", compares(), get_compare_options},

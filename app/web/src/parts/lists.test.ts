@@ -35,4 +35,5 @@ it('gives each role its own bar', () => {
   expect(navigationOf('instructor').map((entry) => entry.label)).toEqual(['People', 'Compare', 'Help']);
   expect(navigationOf('researcher').map((entry) => entry.label)).toEqual(['Compare', 'Help']);
   expect(navigationOf('administrator')[0]?.label).toBe('People');
+  expect(navigationOf('administrator').map((entry) => entry.label)).toContain('System');
 });

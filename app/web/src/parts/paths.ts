@@ -68,7 +68,7 @@ const bars: Readonly<Record<Role, readonly NavEntry[]>> = {
 
 // a page takes itself out of this list when it comes
 const to_come: readonly string[] = [
-  paths.settings, paths.cohort, paths.live, paths.curricula, paths.instruments, paths.system,
+  paths.settings, paths.cohort, paths.live, paths.curricula, paths.instruments,
 ];
 
 export function isThere(path: string): boolean {

@@ -37,8 +37,8 @@ export function Backups({first}: {first: BackupRow[]}) {
       {backups.length === 0
         ? <EmptyState title="No backup yet">Make one now, and keep a copy on another machine.</EmptyState>
         : <Rows backups={backups} />}
-      <p className={`small muted ${styles.restore}`}>To restore, stop the server and let the program fill an empty folder from the file:</p>
-      <pre className={styles.command}><code>cathedra restore BACKUP --data NEW_FOLDER</code></pre>
+      <p className={`small muted ${styles.restore}`}>To restore, stop the server, put the file into an empty folder under this name, and serve that folder:</p>
+      <pre className={styles.command}><code>{'cp BACKUP NEW_FOLDER/cathedra.db\ncathedra serve --data NEW_FOLDER'}</code></pre>
     </Panel>
   );
 }
